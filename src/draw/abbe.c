@@ -154,10 +154,11 @@ static void draw_points(struct abbe_drawing *drawing, bool chosen)
 
 static void label_point(struct abbe_drawing *drawing, const struct abbe_point *point)
 {
-    const double size = point->chosen ? LABEL_SIZE + 2.5 : LABEL_SIZE;
-    const double gap = mark_radius(drawing->abbe, point->chosen) + 1.5;
-    label_put(&drawing->page, drawing->svg, plot_page_at(&drawing->x, point->Vd),
-              plot_page_at(&drawing->y, point->nd), gap, size, point->chosen ? NULL : "#333333",
+    const struct svg_label at = {.x = plot_page_at(&drawing->x, point->Vd),
+                                 .y = plot_page_at(&drawing->y, point->nd),
+                                 .size = point->chosen ? LABEL_SIZE + 2.5 : LABEL_SIZE,
+                                 .colour = point->chosen ? NULL : "#333333"};
+    label_put(&drawing->page, drawing->svg, &at, mark_radius(drawing->abbe, point->chosen) + 1.5,
               point->chosen, point->label);
 }
 

@@ -170,18 +170,20 @@ static void front_draw_group(struct front_drawing *drawing, size_t group)
 static void front_put_label(struct front_drawing *drawing, const struct front_point *point)
 {
     static const double gaps[] = {5.9, 14, 24, 36};
-    const double x = plot_page_at(&drawing->x, point->x), y = plot_page_at(&drawing->y, point->y);
-    const char *colour = point->is_best ? NULL : "#666666";
+    const struct svg_label at = {.x = plot_page_at(&drawing->x, point->x),
+                                 .y = plot_page_at(&drawing->y, point->y),
+                                 .size = LABEL_SIZE,
+                                 .colour = point->is_best ? NULL : "#666666"};
     size_t i = 0;
     while (i < sizeof gaps / sizeof gaps[0] &&
-           !label_put(&drawing->page, drawing->svg, x, y, gaps[i], LABEL_SIZE, colour, false,
-                      point->label)) {
+           !label_put(&drawing->page, drawing->svg, &at, gaps[i], false, point->label)) {
         i++;
     }
     if (i > 0 && i < sizeof gaps / sizeof gaps[0]) {
         const struct svg_box *box = &drawing->page.taken[drawing->page.taken_count - 1];
-        svg_styled_line(drawing->svg, &(struct svg_style){.stroke = "#999999", .width = 0.6}, x, y,
-                        fmin(fmax(x, box->left), box->right), fmin(fmax(y, box->top), box->bottom));
+        svg_styled_line(drawing->svg, &(struct svg_style){.stroke = "#999999", .width = 0.6}, at.x,
+                        at.y, fmin(fmax(at.x, box->left), box->right),
+                        fmin(fmax(at.y, box->top), box->bottom));
     }
 }
 

@@ -34,12 +34,13 @@ static bool label_is_free(const struct label_page *page, const struct svg_box *b
            box->bottom <= frame->bottom && svg_is_free(page->taken, page->taken_count, box);
 }
 
-bool label_put(struct label_page *page, struct svg *svg, double x, double y, double gap,
-               double size, const char *colour, bool forced, const char *text)
+bool label_put(struct label_page *page, struct svg *svg, const struct svg_label *point, double gap,
+               bool forced, const char *text)
 {
     static const struct {
         double x, y; /* place of the label's middle, in half widths and heights */
     } places[] = {{1, 0}, {-1, 0}, {0, -1}, {0, 1}, {1, -1}, {-1, -1}, {1, 1}, {-1, 1}};
+    const double x = point->x, y = point->y, size = point->size;
     double half_width = svg_text_width(text, size) / 2, half_height = 0.42 * size;
     for (size_t i = 0; i < sizeof places / sizeof places[0]; i++) {
         double shift_x = places[i].x * (half_width + gap);
@@ -48,7 +49,8 @@ bool label_put(struct label_page *page, struct svg *svg, double x, double y, dou
                               x + shift_x + half_width, y + shift_y + half_height};
         bool last = i + 1 == sizeof places / sizeof places[0];
         if (label_is_free(page, &box) || (last && forced)) {
-            svg_words(svg, x + shift_x, box.bottom - 0.06 * size, size, SVG_MIDDLE, colour, text);
+            svg_words(svg, x + shift_x, box.bottom - 0.06 * size, size, SVG_MIDDLE, point->colour,
+                      text);
             page->taken[page->taken_count++] = box;
             return true;
         }

@@ -24,11 +24,12 @@ void label_page_take(struct label_page *page, double x, double y, double radius)
 /*
  * A label beside a point, where there is room: right, left, above, below, then the corners.
  *
- * Given     gap     between the point and the label
+ * Given     point   x, y: the point; size and colour of the label
+ *           gap     between the point and the label
  *           forced  where there is none it stands in the last of these places
  * Result    false: it stands nowhere
  */
-bool label_put(struct label_page *page, struct svg *svg, double x, double y, double gap,
-               double size, const char *colour, bool forced, const char *text);
+bool label_put(struct label_page *page, struct svg *svg, const struct svg_label *point, double gap,
+               bool forced, const char *text);
 
 #endif

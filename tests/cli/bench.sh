@@ -10,7 +10,15 @@ lenscalc bench double-gauss --quantity mtf --rays 30 --degree 3 --columns $colum
 # times: a number, or none where turns do not agree
 lenscalc bench double-gauss --degree 3 --columns model,seconds,time_us,pareto --csv |
     awk -F, 'NR > 1 && $2 != "" && ($2 <= 0 || $2 > 1 || $3 < 999999 * $2) { print "bad " $0 }'
+# what keeps an error: far out fewer do, and all that are exact
+lenscalc bench double-gauss --degree 5 --error 10um --csv --columns model,keeps_to_fnumber,keeps_to_field |
+    awk -F, '{ print $1, ($2 > 0 ? "somewhere" : $2), ($3 > 0 ? "within" : $3) }' | sort -u
+lenscalc bench double-gauss --degree 5 --plot a.svg --columns model,seconds,pareto --csv > rows
+grep -c "time against error" a.svg
 echo "refused:"
+lenscalc bench double-gauss --error 1kg --columns model; echo "status $?"
+lenscalc bench double-gauss --quantity mtf --error 1um --columns model; echo "status $?"
+lenscalc bench nikkor-z-14-24 --position all --plot a.svg; echo "status $?"
 lenscalc bench; echo "status $?"
 lenscalc bench double-gauss --degree 4 --columns model,rms_error,warning --csv | grep poly
 lenscalc bench double-gauss --frequency 10; echo "status $?"

@@ -230,7 +230,7 @@ def try_table(asked):
 
 def try_plot(asked):
     path = os.path.join(asked.folder, "plot.svg")
-    pair = asked.pair if asked.command != "tolerance" else None  # which draws a single answer
+    pair = asked.pair if asked.command not in ("tolerance", "bench") else None  # draw one answer
     result = (asked.run("--plot", "plot.svg") if pair is None else
               asked.run("--plot", "plot.svg", question=asked.without(pair[0]) +
                         ["-" * (1 + (len(pair[0]) > 1)) + pair[0] + "=" + pair[1]]))

@@ -1,35 +1,16 @@
 /* commands/tool/cmd_bench.c - lenscalc bench: models of a lens, their time against their error. */
 /* SPDX-License-Identifier: MIT */
-#include "analysis/model/benchmark.h"
-#include "commands/design/fit.h"
-#include "commands/lens/lens_options.h"
-#include "commands/tables.h"
-#include "draw/front.h"
+#include "commands/tool/bench.h"
 
-struct bench_input {
-    struct lens_question question;
-    struct plane_value focus;
-    int quantity;
-    double frequency; /* 1/mm */
-    long rays, degree, terms;
-    bool clip, no_clip;
-};
+#include "cli/question/arguments.h"
+#include "commands/tables.h"
 
 #define INPUT struct bench_input
 
-static const struct word quantities[] = {
-    [BENCHMARK_RAY] = {"ray", "where rays meet the image plane"},
-    [BENCHMARK_FOCUS] = {"focus", "where the spot of a field is smallest"},
-    [BENCHMARK_SPOT] = {"spot", "root mean square radius of the spot"},
-    [BENCHMARK_MTF] = {"mtf", "contrast of lines across y, by waves"},
-    [BENCHMARK_IRRADIANCE] = {"irradiance", "light of a uniform scene on the film"},
-    {NULL, NULL},
-};
-
 static const struct option options[] = {
     LENS_OPTION(INPUT, question),
-    {ASKED(quantity), .name = "quantity", .words = quantities, .fallback = "ray", .value = "WHAT",
-     .help = "what is computed, and held against its exact value"},
+    {ASKED(quantity), .name = "quantity", .words = bench_quantities, .fallback = "ray",
+     .value = "WHAT", .help = "what is computed, and held against its exact value"},
     LENS_FIELDS_OPTION(INPUT, question),
     LENS_FNUMBER_OPTION(INPUT, question),
     LENS_WAVELENGTH_OPTION(INPUT, question, LENS_PRIMARY_WAVELENGTH),
@@ -48,6 +29,10 @@ static const struct option options[] = {
      .column = "frequency", .lowest = 0, .highest = INFINITY,
      .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .fallback = "30", .value = "FREQUENCY",
      .wants = "quantity=mtf", .help = "spatial frequency in the image"},
+    {ASKED(error), .name = "error", .value = "ERROR",
+     .help = "name the cheapest that keeps this error, a length in um, of mtf and irradiance a "
+             "number or "
+             "%, and up to which aperture and field each does"},
     {ASKED(clip), .name = "clip", .excludes = "no-clip",
      .help = "clip rays at apertures and stop (default)"},
     {ASKED(no_clip), .name = "no-clip", .help = "do not clip rays at clear apertures"},
@@ -58,13 +43,18 @@ struct bench_row {
     double wavelength, fnumber; /* um, 1 */
     double seconds, time;       /* s, us */
     double error, error_fitted, digits, truth_error;
+    double keeps_fnumber, keeps_field; /* 1; rad or mm */
     long rays, degree, terms;
-    bool pareto;
+    bool pareto, cheapest, field_is_height;
+    const char *verdict;
 };
 
 #define ROW struct bench_row
 
 #define PLAIN(member, more) SHOWN(member), .flags = (more)
+
+static const struct column_form heights = {&dimension_length, "mm",
+                                           "of a near object, or by image heights"};
 
 static const struct column columns[] = {
     LENS_POSITION_COLUMN(ROW, position, COLUMN_BRIEF),
@@ -102,60 +92,44 @@ static const struct column columns[] = {
     {PLAIN(pareto, COLUMN_BRIEF), .name = "pareto", .help = "no other row is as fast and as exact"},
     {PLAIN(truth_error, COLUMN_HIDDEN), .name = "truth_error", .digits = 2,
      .help = "error of what all are held against; no row's error is said to be less"},
+    {PLAIN(cheapest, COLUMN_EXTRA), .with = "error", .name = "cheapest",
+     .help = "it is the fastest that keeps the error"},
+    {PLAIN(keeps_fnumber, COLUMN_BRIEF | COLUMN_EXTRA), .with = "error", .name = "keeps_to_fnumber",
+     .head = "keeps to f/", .label = "keeps to f-number", .digits = 3,
+     .help = "widest aperture at which it keeps the error within the field beside it, both smaller "
+             "by the same factor, to a stop; absent where not even ten stops on"},
+    {COLUMN_OR(ROW, keeps_field, field_is_height, &heights), .dimension = &dimension_angle,
+     .unit = "deg", .flags = COLUMN_BRIEF | COLUMN_EXTRA, .with = "error", .name = "keeps_to_field",
+     .head = "within", .digits = 3, .help = "largest field there"},
+    {PLAIN(verdict, COLUMN_NOTE), .name = "verdict", .help = "what is the cheapest, in words"},
     LENS_TITLE_COLUMN(ROW, lens),
     LENS_WARNING_COLUMN(ROW, warning),
 };
 
 static const struct lens_policy policy = {.wavelengths = WAVELENGTHS_PRIMARY, .fields = FIELDS_ALL};
 
-/* The thick lens that `lenscalc fit` finds at this wavelength; false: `why` says why not. */
-static bool bench_fit(const struct bench_input *input, const struct setup *setup, struct run *run,
-                      struct thick_lens *thick, struct error *why)
+/* The error that is to be kept, as benchmark_way.error has it; infinite: none is. */
+static bool bench_wanted(const struct bench_input *input, double *wanted, struct error *error)
 {
-    static const struct lens_policy fitted = {.wavelengths = WAVELENGTHS_PRIMARY,
-                                              .fields = FIELDS_SPREAD};
-    const struct fit_input fitting = {.object = NAN,
-                                      .distortion = NAN,
-                                      .show = FIT_PARAMETERS,
-                                      .match = FIT_IMAGE,
-                                      .pattern = PATTERN_GAUSS,
-                                      .rays = 72,
-                                      .no_clip = input->no_clip};
-    if (run->no_solver != NULL) {
-        *why = *run->no_solver;
-        return false;
+    const struct dimension *const dimension =
+        bench_is_number(input) ? &dimension_ratio : &dimension_length;
+    const struct unit *unit =
+        bench_is_number(input) ? NULL : unit_find(&dimension_length, text_of("um"));
+    *wanted = INFINITY;
+    if (input->error == NULL) {
+        return true;
     }
-    struct lens_question question = input->question;
-    question.position = setup->position;
-    question.field = question.field_x = NAN;
-    struct lens_cursor at = lens_begin(&question, &fitted, run->arena);
-    if (!lens_next_setup(&at, why)) {
-        return false;
+    if (!quantity_read(text_of(input->error), dimension, unit, wanted, NULL, error)) {
+        return error_prefix(error, "{--error}: ");
     }
-    struct fit_job job = {.input = &fitting, .run = run, .setup = at.one.setup};
-    if (!setup_light(job.setup, 0, &job.light, why) || !fit_job_run(&job, why)) {
-        return false;
-    }
-    *thick = job.fit.lenses[0];
-    return true;
+    return *wanted > 0 || fail(error, ERROR_USAGE, "{--error} '%s': it is above 0", input->error);
 }
 
-/* The instructions, the pattern, or the error that was asked for. */
-static const char *bench_variant(const struct benchmark_way *way, struct arena *arena)
+/* Does anything want times that is printed or drawn? */
+static bool bench_is_timed(const struct bench_input *input, const struct run *run)
 {
-    if (way->is_wave) {
-        return arena_printf(arena, "%.0e", way->asked);
-    }
-    if (way->is_quadrature) {
-        return patterns[way->pattern].word;
-    }
-    return way->set != SET_BEST ? instruction_set_name(way->set) : NULL;
-}
-
-/* Is anything printed that wants times? */
-static bool bench_is_timed(const struct run *run)
-{
-    return run_shows(run, offsetof(struct bench_row, seconds)) ||
+    return input->error != NULL || arguments_given(run->arguments, "plot") ||
+           run_shows(run, offsetof(struct bench_row, seconds)) ||
            run_shows(run, offsetof(struct bench_row, time)) ||
            run_shows(run, offsetof(struct bench_row, pareto));
 }
@@ -172,23 +146,75 @@ static const char *bench_warning(const struct benchmark_way *way, const char *na
     return NULL;
 }
 
-static bool bench_emit(const struct bench_input *input, const struct lens_case *one,
-                       const struct benchmark *benchmark, struct run *run)
+/* The fastest way that keeps an error, of those whose time is known; count: there is none. */
+static size_t bench_cheapest(const struct benchmark *benchmark, double wanted)
 {
-    const bool is_number =
-        input->quantity == BENCHMARK_MTF || input->quantity == BENCHMARK_IRRADIANCE;
+    size_t best = benchmark->count;
+    for (size_t i = 0; i < benchmark->count; i++) {
+        const struct benchmark_way *way = &benchmark->ways[i];
+        if (way->seconds > 0 && way->error <= wanted &&
+            (best == benchmark->count || way->seconds < benchmark->ways[best].seconds)) {
+            best = i;
+        }
+    }
+    return best;
+}
+
+/* "polynomial of degree 9 is the cheapest that keeps 1um" */
+static const char *bench_verdict(const struct bench_input *input, const struct benchmark *benchmark,
+                                 double wanted, struct arena *arena)
+{
+    const size_t best = bench_cheapest(benchmark, wanted);
+    const struct benchmark_way *way = &benchmark->ways[best];
+    if (input->error == NULL) {
+        return NULL;
+    }
+    if (best == benchmark->count) {
+        return arena_printf(arena, "none keeps %s, of those whose time is known", input->error);
+    }
+    const char *variant = bench_variant(way, arena);
+    const char *name = way->is_wave ? "wave" : lens_models[way->model].word;
+    const char *degree = way->degree > 0 ? arena_printf(arena, " of degree %d", way->degree) : "";
+    const char *rays = way->rays > 0 ? arena_printf(arena, ", %zu rays", way->rays) : "";
+    return arena_printf(arena, "%s%s%s%s%s%s is the cheapest that keeps %s", name,
+                        variant != NULL ? " (" : "", variant != NULL ? variant : "",
+                        variant != NULL ? ")" : "", degree, rays, input->error);
+}
+
+/* What is emitted beside a case. */
+struct bench_answer {
+    const struct benchmark *benchmark;
+    const struct bench_reach *reach; /* one a way; null: no error is to be kept */
+    double wanted;
+    bool is_timed;
+};
+
+static bool bench_emit(const struct bench_input *input, const struct lens_case *one,
+                       const struct bench_answer *answer, struct run *run)
+{
+    const struct benchmark *benchmark = answer->benchmark;
+    const bool is_number = bench_is_number(input);
+    const char *verdict = bench_verdict(input, benchmark, answer->wanted, run->arena);
+    const size_t cheapest = bench_cheapest(benchmark, answer->wanted);
     const double unit = is_number ? 1 : 1000; /* um of mm */
     for (size_t i = 0; i < benchmark->count; i++) {
         const struct benchmark_way *way = &benchmark->ways[i];
         const char *name = way->is_wave ? "wave" : lens_models[way->model].word;
+        const struct bench_reach none = {NAN, NAN};
+        const struct bench_reach reach = answer->reach != NULL ? answer->reach[i] : none;
         const struct bench_row row = {
+            .keeps_fnumber = reach.fnumber,
+            .keeps_field = reach.field,
+            .field_is_height = one->setup->edge.kind != FIELD_ANGLE,
+            .cheapest = input->error != NULL && i == cheapest,
+            .verdict = verdict,
             .position = one->setup->position,
             .lens = one->setup->lens->title,
             .wavelength = one->setup->wavelengths[0].wavelength,
             .fnumber = input->question.fnumber,
             .model = name,
             .variant = bench_variant(way, run->arena),
-            .quantity = quantities[input->quantity].word,
+            .quantity = bench_quantities[input->quantity].word,
             .error_unit = is_number ? "1" : "um",
             .seconds = way->seconds,
             .time = 1e6 * way->seconds,
@@ -201,7 +227,7 @@ static bool bench_emit(const struct bench_input *input, const struct lens_case *
             .terms = way->terms > 0 ? (long)way->terms : NO_INTEGER,
             .pareto = way->is_best,
             .warning = lens_warnings_join(i == 0 ? one->warning : NULL,
-                                          bench_warning(way, name, bench_is_timed(run), run->arena),
+                                          bench_warning(way, name, answer->is_timed, run->arena),
                                           run->arena)};
         if (!run_emit(run, &row)) {
             return false;
@@ -209,13 +235,6 @@ static bool bench_emit(const struct bench_input *input, const struct lens_case *
     }
     return true;
 }
-
-/* What is drawn: of one lens in one position. */
-struct bench_drawing {
-    const struct setup *setup;
-    const struct benchmark_way *ways;
-    size_t count;
-};
 
 static bool bench_run(const void *data, struct run *run, struct error *error)
 {
@@ -227,74 +246,34 @@ static bool bench_run(const void *data, struct run *run, struct error *error)
     lens.field = lens.field_x = NAN; /* a set of fields has an option of its own */
     struct lens_cursor at = lens_begin(&lens, &asked, run->arena);
     while (lens_next(&at, error)) {
-        struct thick_lens thick;
-        struct error why = {.code = ERROR_NONE};
-        const bool is_fitted = bench_fit(input, at.one.setup, run, &thick, &why);
-        const struct benchmark_question question = {
-            .setup = at.one.setup,
-            .quantity = (enum benchmark_quantity)input->quantity,
-            .rays = input->rays != NO_INTEGER ? (size_t)input->rays : 0,
-            .clip = !input->no_clip,
-            .degree = input->degree != NO_INTEGER ? (int)input->degree : 0,
-            .terms = input->terms != NO_INTEGER ? (size_t)input->terms : 0,
-            .frequency = input->frequency,
-            .fitted = is_fitted ? &thick : NULL,
-            .unfitted = why.message,
-            .timing = bench_is_timed(run) ? &plan : NULL};
         struct arena arena = {0};
         struct benchmark benchmark;
-        const bool found = benchmark_run(&question, &arena, &benchmark, error);
-        const bool goes_on = found && bench_emit(input, &at.one, &benchmark, run);
-        if (found) {
+        struct bench_answer answer = {.benchmark = &benchmark,
+                                      .is_timed = bench_is_timed(input, run)};
+        const struct setup *setup = at.one.setup;
+        bool goes_on = bench_wanted(input, &answer.wanted, error) &&
+                       bench_find(input, setup, answer.is_timed ? &plan : NULL, run, &arena,
+                                  &benchmark, error);
+        if (goes_on && input->error != NULL) {
+            struct bench_reach *reach =
+                ARENA_ARRAY(run->arena, benchmark.count, struct bench_reach);
+            goes_on = bench_find_reach(input, setup, answer.wanted, &benchmark, run, reach, error);
+            answer.reach = reach;
+        }
+        if (goes_on) {
             struct bench_drawing *drawing = ARENA_NEW(run->arena, struct bench_drawing);
-            *drawing = (struct bench_drawing){
-                at.one.setup, ARENA_COPY(run->arena, benchmark.ways, benchmark.count, 0),
-                benchmark.count};
+            drawing->setup = setup;
+            drawing->ways = ARENA_COPY(run->arena, benchmark.ways, benchmark.count, 0);
+            drawing->count = benchmark.count;
             run->state = drawing;
+            goes_on = bench_emit(input, &at.one, &answer, run);
         }
         arena_free(&arena);
         if (!goes_on) {
-            return found;
+            return error->code == ERROR_NONE;
         }
     }
     return error->code == ERROR_NONE;
-}
-
-/* -------- the drawing -------- */
-
-enum bench_group {
-    GROUP_MODELS,
-    GROUP_POLYNOMIALS,
-    GROUP_EXACT,
-    GROUP_PATTERNS, /* one a pattern */
-    GROUP_WAVES = GROUP_PATTERNS + PATTERNS,
-    GROUPS
-};
-
-static enum bench_group bench_group_of(const struct benchmark_way *way)
-{
-    if (way->is_wave) {
-        return GROUP_WAVES;
-    }
-    if (way->is_quadrature) {
-        return (enum bench_group)(GROUP_PATTERNS + (int)way->pattern);
-    }
-    if (way->model == MODEL_POLYNOMIAL) {
-        return GROUP_POLYNOMIALS;
-    }
-    return way->model == MODEL_EXACT || way->model > MODEL_POLYNOMIAL ? GROUP_EXACT : GROUP_MODELS;
-}
-
-static const char *bench_label_of(const struct benchmark_way *way, struct arena *arena)
-{
-    if (way->is_quadrature) {
-        return arena_printf(arena, "%zu", way->rays);
-    }
-    if (way->model == MODEL_POLYNOMIAL) {
-        return arena_printf(arena, "degree %d", way->degree);
-    }
-    return way->is_wave || way->set != SET_BEST ? bench_variant(way, arena)
-                                                : lens_models[way->model].word;
 }
 
 static bool bench_check_plot(const struct artifact_job *job, struct error *error)
@@ -302,66 +281,6 @@ static bool bench_check_plot(const struct artifact_job *job, struct error *error
     const struct bench_input *input = job->inputs[0];
     return !lens_positions_several(input->question.lens.lens, input->question.position) ||
            fail(error, ERROR_USAGE, "{--plot} draws one position: name it with {--position}");
-}
-
-static bool bench_plot(const struct artifact_job *job, struct output *sink, struct error *error)
-{
-    static const char *const y_labels[BENCHMARK_QUANTITIES] = {
-        [BENCHMARK_RAY] = "error of a ray in the image, rms (um)",
-        [BENCHMARK_FOCUS] = "error of the focus (um)",
-        [BENCHMARK_SPOT] = "error of the spot's rms radius (um)",
-        [BENCHMARK_MTF] = "error of the contrast",
-        [BENCHMARK_IRRADIANCE] = "relative error of the irradiance"};
-    const struct bench_input *input = job->inputs[0];
-    const struct bench_drawing *drawing = job->run->state;
-    struct arena *arena = job->run->arena;
-    struct svg svg = {.arena = arena};
-    struct front_point *points = ARENA_ARRAY(arena, drawing->count, struct front_point);
-    struct front_group groups[GROUPS];
-    size_t places[GROUPS], group_count = 0;
-    for (enum bench_group group = 0; group < GROUPS; group++) {
-        static const char *const names[] = {"models", "polynomials", "exact"};
-        const bool is_pattern = group >= GROUP_PATTERNS && group < GROUP_WAVES;
-        const char *other =
-            is_pattern ? patterns[group - GROUP_PATTERNS].word : "waves, by error asked";
-        bool is_there = false;
-        for (size_t i = 0; i < drawing->count; i++) {
-            is_there = is_there || bench_group_of(&drawing->ways[i]) == group;
-        }
-        places[group] = group_count;
-        groups[group_count] =
-            (struct front_group){.name = group < GROUP_PATTERNS ? names[group] : other,
-                                 .is_line = group != GROUP_MODELS};
-        group_count += is_there;
-    }
-    const bool is_length = input->quantity <= BENCHMARK_SPOT;
-    for (size_t i = 0; i < drawing->count; i++) {
-        const struct benchmark_way *way = &drawing->ways[i];
-        points[i] = (struct front_point){.x = 1e6 * way->seconds,
-                                         .y = (is_length ? 1000 : 1) * way->error,
-                                         .label = bench_label_of(way, arena),
-                                         .group = places[bench_group_of(way)],
-                                         .is_best = way->is_best};
-    }
-    const char *title = drawing->setup->lens->title;
-    const struct front front = {
-        .title = arena_printf(arena, "%s: time against error", title != NULL ? title : "A lens"),
-        .subtitle = arena_printf(
-            arena, "%s%s%s%s, %zu field%s, f/%.3g", quantities[input->quantity].word,
-            drawing->setup->position != NULL ? ", " : "",
-            drawing->setup->position != NULL ? drawing->setup->position : "",
-            input->quantity == BENCHMARK_MTF ? arena_printf(arena, " at %.4g/mm", input->frequency)
-                                             : "",
-            drawing->setup->field_count, drawing->setup->field_count == 1 ? "" : "s",
-            drawing->setup->first.fnumber),
-        .x_label =
-            input->quantity == BENCHMARK_RAY ? "time of a ray (us)" : "time of all fields (us)",
-        .y_label = y_labels[input->quantity],
-        .points = points,
-        .count = drawing->count,
-        .groups = groups,
-        .group_count = group_count};
-    return front_draw(&front, &svg, error) && drawing_write(job, &svg, sink, error);
 }
 
 static const struct artifact artifacts[] = {
@@ -381,7 +300,9 @@ static const struct example examples[] = {
     {"bench double-gauss", "models and exact rays of a double Gauss, time against error"},
     {"bench double-gauss --quantity spot", "its spots: models, and quadratures by rays"},
     {"bench double-gauss -N 8 --field 0,5", "stopped down, near the axis"},
-    {"bench fisheye-16 --plot front.svg", "the same as a drawing"},
+    {"bench fisheye-16 --plot front.svg", "time against error as a drawing"},
+    {"bench double-gauss --error 10um",
+     "the cheapest model that keeps 10 um, and how far each does"},
     {NULL, NULL},
 };
 
