@@ -7,6 +7,7 @@ columns=model,variant,degree,terms,quantity,rms_error,error_unit,digits,truth_er
 lenscalc bench double-gauss --columns $columns,fitted_error --csv | mask
 lenscalc bench double-gauss --quantity spot --rays 30 --degree 5 --columns $columns,rays --csv | mask
 lenscalc bench double-gauss --quantity mtf --rays 30 --degree 3 --columns $columns,rays --csv | mask
+lenscalc bench double-gauss --quantity photograph --columns $columns,rays --csv | mask
 # times: a number, or none where turns do not agree
 lenscalc bench double-gauss --degree 3 --columns model,seconds,time_us,pareto --csv |
     awk -F, 'NR > 1 && $2 != "" && ($2 <= 0 || $2 > 1 || $3 < 999999 * $2) { print "bad " $0 }'
@@ -21,6 +22,7 @@ lenscalc bench double-gauss --quantity mtf --error 1um --columns model; echo "st
 lenscalc bench nikkor-z-14-24 --position all --plot a.svg; echo "status $?"
 lenscalc bench; echo "status $?"
 lenscalc bench double-gauss --degree 4 --columns model,rms_error,warning --csv | grep poly
+lenscalc bench double-gauss --quantity photograph --rays 10; echo "status $?"
 lenscalc bench double-gauss --frequency 10; echo "status $?"
 printf 'object inf\nfocus afocal\naperture epd 20\nfield angle 1\nsurface 80 6 1.5 - stop\nsurface - 0 air -\n' > a.lens
 lenscalc bench a.lens; echo "status $?"

@@ -428,8 +428,7 @@ static bool benchmark_judge(const struct benchmark_work *work, const struct benc
     return true;
 }
 
-/* Mark the ways on the front, those of them that have time and error. */
-static void benchmark_mark_front(struct benchmark_way *ways, size_t count)
+void benchmark_mark_front(struct benchmark_way *ways, size_t count)
 {
     for (size_t i = 0; i < count; i++) {
         ways[i].is_best = ways[i].seconds > 0 && ways[i].error >= 0;

@@ -13,7 +13,8 @@ enum benchmark_quantity {
     BENCHMARK_SPOT,
     BENCHMARK_MTF,
     BENCHMARK_IRRADIANCE,
-    BENCHMARK_QUANTITIES
+    BENCHMARK_QUANTITIES,
+    BENCHMARK_PHOTOGRAPH = BENCHMARK_QUANTITIES /* of who knows how to take one */
 };
 
 struct benchmark_question {
@@ -70,5 +71,8 @@ struct benchmark {
  */
 bool benchmark_run(const struct benchmark_question *question, struct arena *arena,
                    struct benchmark *benchmark, struct error *error);
+
+/* Mark the ways on the front, those of them that have time and error. */
+void benchmark_mark_front(struct benchmark_way *ways, size_t count);
 
 #endif

@@ -19,10 +19,19 @@ struct bench_input {
 /* Are errors numbers, not lengths? */
 static inline bool bench_is_number(const struct bench_input *input)
 {
-    return input->quantity == BENCHMARK_MTF || input->quantity == BENCHMARK_IRRADIANCE;
+    return input->quantity >= BENCHMARK_MTF;
 }
 
 /* -------- commands/tool/bench_reach.c -------- */
+
+/*
+ * The thick lens that `lenscalc fit` finds at this wavelength.
+ *
+ * Given     distortion  terms of it; NaN: as many as the fields bear
+ * Errors    as fit_job_run; the solver is missing
+ */
+bool bench_fit(const struct bench_input *input, const struct setup *setup, double distortion,
+               struct run *run, struct thick_lens *thick, struct error *why);
 
 /*
  * A benchmark of a lens in one case, with the thick lens that `lenscalc fit` finds for it.
@@ -53,6 +62,20 @@ struct bench_reach {
 bool bench_find_reach(const struct bench_input *input, const struct setup *setup, double wanted,
                       const struct benchmark *benchmark, struct run *run, struct bench_reach *reach,
                       struct error *error);
+
+/* -------- commands/tool/bench_photograph.c -------- */
+
+/*
+ * Photographs of a checker by the models of lenscalc render, held against one by exact rays.
+ *
+ * Given     arena  not that of the case
+ * Result    error: root mean square over 48 x 32 pixels, as a share of white; truth_error: the
+ *           noise of the truth, which has 1024 rays a pixel, by another like it
+ * Errors    as photograph_take; ERROR_DOMAIN: no field off the axis, which is the film's corner
+ */
+bool bench_photograph(const struct bench_input *input, const struct setup *setup,
+                      const struct timing_plan *timing, struct run *run, struct arena *arena,
+                      struct benchmark *benchmark, struct error *error);
 
 /* -------- commands/tool/bench_figure.c -------- */
 

@@ -9,6 +9,7 @@ const struct word bench_quantities[] = {
     [BENCHMARK_SPOT] = {"spot", "root mean square radius of the spot"},
     [BENCHMARK_MTF] = {"mtf", "contrast of lines across y, by waves"},
     [BENCHMARK_IRRADIANCE] = {"irradiance", "light of a uniform scene on the film"},
+    [BENCHMARK_PHOTOGRAPH] = {"photograph", "a chart of squares, photographed"},
     {NULL, NULL},
 };
 
@@ -46,10 +47,13 @@ static enum bench_group bench_group_of(const struct benchmark_way *way)
     return way->model == MODEL_EXACT || way->model > MODEL_POLYNOMIAL ? GROUP_EXACT : GROUP_MODELS;
 }
 
-static const char *bench_label_of(const struct benchmark_way *way, struct arena *arena)
+static const char *bench_label_of(const struct benchmark_way *way, bool is_photograph,
+                                  struct arena *arena)
 {
-    if (way->is_quadrature) {
-        return arena_printf(arena, "%zu", way->rays);
+    if (way->is_quadrature || is_photograph) {
+        return way->model == MODEL_EXACT || way->is_quadrature
+                   ? arena_printf(arena, "%zu", way->rays)
+                   : lens_models[way->model].word;
     }
     if (way->model == MODEL_POLYNOMIAL) {
         return arena_printf(arena, "degree %d", way->degree);
@@ -60,12 +64,13 @@ static const char *bench_label_of(const struct benchmark_way *way, struct arena 
 
 bool bench_plot(const struct artifact_job *job, struct output *sink, struct error *error)
 {
-    static const char *const y_labels[BENCHMARK_QUANTITIES] = {
+    static const char *const y_labels[] = {
         [BENCHMARK_RAY] = "error of a ray in the image, rms (um)",
         [BENCHMARK_FOCUS] = "error of the focus (um)",
         [BENCHMARK_SPOT] = "error of the spot's rms radius (um)",
         [BENCHMARK_MTF] = "error of the contrast",
-        [BENCHMARK_IRRADIANCE] = "relative error of the irradiance"};
+        [BENCHMARK_IRRADIANCE] = "relative error of the irradiance",
+        [BENCHMARK_PHOTOGRAPH] = "error of a pixel, rms (share of white)"};
     const struct bench_input *input = job->inputs[0];
     const struct bench_drawing *drawing = job->run->state;
     struct arena *arena = job->run->arena;
@@ -90,12 +95,15 @@ bool bench_plot(const struct artifact_job *job, struct output *sink, struct erro
     }
     for (size_t i = 0; i < drawing->count; i++) {
         const struct benchmark_way *way = &drawing->ways[i];
-        points[i] = (struct front_point){.x = 1e6 * way->seconds,
-                                         .y = (bench_is_number(input) ? 1 : 1000) * way->error,
-                                         .label = bench_label_of(way, arena),
-                                         .group = places[bench_group_of(way)],
-                                         .is_best = way->is_best};
+        points[i] = (struct front_point){
+            .x = 1e6 * way->seconds,
+            .y = (bench_is_number(input) ? 1 : 1000) * way->error,
+            .label = bench_label_of(way, input->quantity == BENCHMARK_PHOTOGRAPH, arena),
+            .group = places[bench_group_of(way)],
+            .is_best = way->is_best};
     }
+    const char *whole = input->quantity == BENCHMARK_PHOTOGRAPH ? "time of a picture (us)"
+                                                                : "time of all fields (us)";
     const char *title = drawing->setup->lens->title;
     const struct front front = {
         .title = arena_printf(arena, "%s: time against error", title != NULL ? title : "A lens"),
@@ -107,8 +115,7 @@ bool bench_plot(const struct artifact_job *job, struct output *sink, struct erro
                                              : "",
             drawing->setup->field_count, drawing->setup->field_count == 1 ? "" : "s",
             drawing->setup->first.fnumber),
-        .x_label =
-            input->quantity == BENCHMARK_RAY ? "time of a ray (us)" : "time of all fields (us)",
+        .x_label = input->quantity == BENCHMARK_RAY ? "time of a ray (us)" : whole,
         .y_label = y_labels[input->quantity],
         .points = points,
         .count = drawing->count,

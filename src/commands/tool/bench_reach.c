@@ -5,14 +5,13 @@
 
 enum { BENCH_STOPS = 10 };
 
-/* The thick lens that `lenscalc fit` finds at this wavelength; false: `why` says why not. */
-static bool bench_fit(const struct bench_input *input, const struct setup *setup, struct run *run,
-                      struct thick_lens *thick, struct error *why)
+bool bench_fit(const struct bench_input *input, const struct setup *setup, double distortion,
+               struct run *run, struct thick_lens *thick, struct error *why)
 {
     static const struct lens_policy fitted = {.wavelengths = WAVELENGTHS_PRIMARY,
                                               .fields = FIELDS_SPREAD};
     const struct fit_input fitting = {.object = NAN,
-                                      .distortion = NAN,
+                                      .distortion = distortion,
                                       .show = FIT_PARAMETERS,
                                       .match = FIT_IMAGE,
                                       .pattern = PATTERN_GAUSS,
@@ -43,7 +42,10 @@ bool bench_find(const struct bench_input *input, const struct setup *setup,
 {
     struct thick_lens thick;
     struct error why = {.code = ERROR_NONE};
-    const bool is_fitted = bench_fit(input, setup, run, &thick, &why);
+    if (input->quantity == BENCHMARK_PHOTOGRAPH) {
+        return bench_photograph(input, setup, timing, run, arena, benchmark, error);
+    }
+    const bool is_fitted = bench_fit(input, setup, NAN, run, &thick, &why);
     const struct benchmark_question question = {
         .setup = setup,
         .quantity = (enum benchmark_quantity)input->quantity,

@@ -19,11 +19,13 @@ static const struct option options[] = {
      .help = "the image plane: paraxial, table, best, or mm from the last vertex; default that of "
              "the lens"},
     {ASKED(rays), .name = "rays", .column = "rays_wanted", .lowest = 1, .highest = 1e5,
-     .value = "COUNT",
+     .value = "COUNT", .wants = "quantity!=photograph",
      .help = "approximate number of rays per field; default 60 of models, several of quadratures"},
     {ASKED(degree), .name = "degree", .lowest = 1, .highest = RAY_POLYNOMIAL_DEGREE,
-     .value = "DEGREE", .help = "of the polynomial, odd; default 3, 5, 7, 9 and 11"},
-    {ASKED(terms), .name = "terms", .lowest = 1, .highest = RAY_POLYNOMIAL_TERMS, .value = "COUNT",
+     .value = "DEGREE", .wants = "quantity!=photograph",
+     .help = "of the polynomial, odd; default 3, 5, 7, 9 and 11"},
+    {ASKED(terms), .name = "terms", .wants = "quantity!=photograph", .lowest = 1,
+     .highest = RAY_POLYNOMIAL_TERMS, .value = "COUNT",
      .help = "terms of the polynomial, at most; default four times its degree"},
     {ASKED(frequency), .name = "frequency", .dimension = &dimension_frequency, .unit = "per_mm",
      .column = "frequency", .lowest = 0, .highest = INFINITY,
@@ -71,10 +73,11 @@ static const struct column columns[] = {
     {PLAIN(terms, COLUMN_HIDDEN | COLUMN_SPARSE), .name = "terms",
      .help = "terms of the polynomial of the place"},
     {PLAIN(rays, COLUMN_BRIEF | COLUMN_SPARSE), .name = "rays",
-     .help = "about how many for each field, of a sum"},
+     .help = "about how many for each field, of a sum; of each pixel, of a picture"},
     {PLAIN(quantity, COLUMN_HIDDEN), .name = "quantity", .help = "what is computed"},
     {PLAIN(seconds, COLUMN_HIDDEN), .name = "seconds",
-     .help = "processor time of one ray, or of the sums of all fields; absent where turns did not "
+     .help = "processor time of one ray, of the sums of all fields, or of a picture; absent where "
+             "turns did not "
              "agree to 5 %"},
     {PLAIN(time, COLUMN_BRIEF), .name = "time_us", .head = "us", .label = "time, us", .digits = 2,
      .help = "the same in microseconds"},
