@@ -115,7 +115,7 @@ static void test_recovered(void)
     CHECK_RELATIVE(fit.parameters[1], 58.3, 1e-12, "H");
     CHECK_RELATIVE(fit.parameters[2], -28.5, 1e-12, "H'");
     struct thick_score score = {.weight = 0};
-    thick_score_add(&all.rays, fit.lenses, task.planes, &score);
+    thick_score_add(&all.rays, fit.lenses, false, task.planes, &score);
     CHECK(fit.rms < 1e-12 && score.largest < 1e-11 && fit.rms_second < 1e-12);
     CHECK_TEXT(fit.names[2], "H'");
     arena_free(&arena);
@@ -419,7 +419,7 @@ static void test_score(void)
         weight += weights[i];
     }
     for (int again = 1; again < 3; again++) { /* the second time it is the mean of both */
-        thick_score_add(&all.rays, &plain_lens, planes, &score);
+        thick_score_add(&all.rays, &plain_lens, false, planes, &score);
         CHECK_RELATIVE(score.rms[0], sqrt(sums[0] / weight), 1e-11, "first plane");
         CHECK_RELATIVE(score.rms[1], sqrt(sums[1] / weight), 1e-11, "second plane");
         CHECK_RELATIVE(score.direction, sqrt(sums[2] / weight), 1e-11, "direction");

@@ -163,7 +163,7 @@ static const struct word shows[] = {
     [FIT_PARAMETERS] = {"parameters", "each parameter with its standard error"},
     [FIT_CORRELATIONS] = {"correlations", "each pair of parameters"},
     [FIT_RESIDUALS] = {"residuals", "each ray or measured index: where the fit fails"},
-    [FIT_MODELS] = {"models", "the fitted, the paraxial and the thin lens beside each other"},
+    [FIT_MODELS] = {"models", "the fitted lens and simpler models beside each other"},
     [FIT_MATRIX] = {"matrix", "the thick lens as a 4x4 matrix"},
     {NULL, NULL},
 };

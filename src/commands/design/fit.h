@@ -96,7 +96,7 @@ static inline double fit_field(const struct fit_job *job, size_t i)
 /* -------- commands/design/fit_view.c: rows of what was found -------- */
 
 void fit_show_rays(struct fit_job *job);
-void fit_show_models(struct fit_job *job);
+bool fit_show_models(struct fit_job *job, struct error *error);
 void fit_show_matrix(struct fit_job *job);
 
 #endif

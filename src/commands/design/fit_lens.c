@@ -145,7 +145,7 @@ bool fit_job_run(struct fit_job *job, struct error *error)
     job->paraxial = ARENA_ARRAY(arena, count, struct thick_lens);
     job->thin = ARENA_ARRAY(arena, count, struct thick_lens);
     for (size_t g = 0; g < count; g++) {
-        job->paraxial[g] = job->task.start;
+        job->paraxial[g] = job->task.start; /* MODEL_THICK */
         job->paraxial[g].index_object = job->ray_data.index_object[g];
         job->paraxial[g].index_image = job->ray_data.index_image[g];
         job->thin[g] = fit_model(MODEL_THIN, first, setup->lens);
@@ -299,7 +299,7 @@ static void show_answers(struct fit_job *job)
     const struct ray_part *part;
     while ((part = ray_data_next(&job->ray_data)) != NULL) {
         const struct thick_rays *rays = &part->rays;
-        thick_score_add(rays, fit->lenses, job->task.planes, &score);
+        thick_score_add(rays, fit->lenses, false, job->task.planes, &score);
         for (size_t i = 0; i < rays->count; i++) {
             height = fmax(height, hypot(rays->x_out[i] + z * rays->p_out[i],
                                         rays->y_out[i] + z * rays->q_out[i]));
@@ -396,7 +396,9 @@ bool fit_lens(const struct fit_input *input, struct run *run, struct error *erro
             fit_show_rays(job);
             break;
         case FIT_MODELS:
-            fit_show_models(job);
+            if (!fit_show_models(job, error)) {
+                return false;
+            }
             break;
         case FIT_MATRIX:
             fit_show_matrix(job);

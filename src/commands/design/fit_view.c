@@ -1,5 +1,6 @@
 /* commands/design/fit_view.c - what a fit found, as rows and files. */
 /* SPDX-License-Identifier: MIT */
+#include "analysis/model/lens_model.h"
 #include "base/constants.h"
 #include "base/watch.h"
 #include "commands/design/fit.h"
@@ -117,7 +118,7 @@ static const struct column ray_columns[] = {
 
 const struct sheet fit_ray_sheet = SHEET(ray_columns, struct ray_row);
 
-/* A thick lens beside its rivals. */
+/* A model beside its rivals. */
 struct model_row {
     const char *position, *model;
     double efl, front, rear, rms, largest, rms_pupil; /* mm */
@@ -132,7 +133,9 @@ static const struct column model_columns[] = {
     {COLUMN_NAMED(struct model_row, position, COLUMN_BRIEF | COLUMN_SPARSE),
      .help = "zoom or focus position"},
     {COLUMN_NAMED(struct model_row, model, COLUMN_BRIEF),
-     .help = "fitted, paraxial, or thin: the paraxial f at H', where it focuses alike"},
+     .help =
+         "fitted; paraxial, at each wavelength; thick, the same at the primary one; thin, its f "
+         "at H', where it focuses alike; pinhole, in its H"},
     {MODEL(efl, "mm"), .name = "efl", .label = "f", .digits = 7, .help = "its focal length"},
     {MODEL(front, "mm"), .name = "front_principal", .label = "H", .digits = 6,
      .help = "its H, from the first vertex"},
@@ -199,23 +202,49 @@ void fit_show_rays(struct fit_job *job)
     }
 }
 
-/* Fitted, paraxial and thin beside each other. */
-void fit_show_models(struct fit_job *job)
+/* What each surface does near the axis, at each wavelength, is a thick lens. */
+static bool fit_paraxial_models(const struct fit_job *job, struct thick_lens *lenses,
+                                struct error *error)
 {
-    enum { MODELS = 3 };
-    const char *const names[MODELS] = {"fitted", "paraxial", "thin"};
-    const struct thick_lens *const lenses[MODELS] = {job->fit.lenses, job->paraxial, job->thin};
+    for (size_t g = 0; g < job->setup->wavelength_count; g++) {
+        struct setup_light light;
+        if (!setup_light(job->setup, g, &light, error)) {
+            return false;
+        }
+        lenses[g] = lens_model_thick(MODEL_PARAXIAL, &light.first, job->task.object);
+    }
+    return true;
+}
+
+/* The models of lenscalc bench and render beside each other. */
+bool fit_show_models(struct fit_job *job, struct error *error)
+{
+    struct thick_lens *paraxial =
+        ARENA_ARRAY(job->run->arena, job->setup->wavelength_count, struct thick_lens);
+    const struct {
+        enum lens_model model;
+        const struct thick_lens *lenses;
+    } models[] = {{MODEL_FITTED, job->fit.lenses},
+                  {MODEL_PARAXIAL, paraxial},
+                  {MODEL_THICK, job->paraxial},
+                  {MODEL_THIN, job->thin},
+                  {MODEL_PINHOLE, job->paraxial}};
+    enum { MODELS = sizeof models / sizeof models[0] };
     struct thick_score scores[MODELS] = {{.largest = 0}};
     const struct ray_part *part;
+    if (!fit_paraxial_models(job, paraxial, error)) {
+        return false;
+    }
     while ((part = ray_data_next(&job->ray_data)) != NULL) {
         for (size_t i = 0; i < MODELS; i++) {
-            thick_score_add(&part->rays, lenses[i], job->task.planes, &scores[i]);
+            thick_score_add(&part->rays, models[i].lenses, models[i].model == MODEL_PINHOLE,
+                            job->task.planes, &scores[i]);
         }
     }
     for (size_t i = 0; i < MODELS; i++) {
-        const struct thick_lens *lens = &lenses[i][0];
+        const struct thick_lens *lens = &models[i].lenses[0];
         const struct model_row row = {.position = job->setup->position,
-                                      .model = names[i],
+                                      .model = lens_models[models[i].model].word,
                                       .efl = lens->focal,
                                       .front = lens->front,
                                       .rear = lens->rear,
@@ -224,9 +253,10 @@ void fit_show_models(struct fit_job *job)
                                       .rms_pupil = scores[i].rms[1],
                                       .rms_direction = scores[i].direction};
         if (!run_emit(job->run, &row)) {
-            return;
+            return true;
         }
     }
+    return true;
 }
 
 /* As of lenscalc matrix --perspective: z from H before and behind. */

@@ -22,7 +22,7 @@ static inline bool bench_is_number(const struct bench_input *input)
     return input->quantity >= BENCHMARK_MTF;
 }
 
-/* -------- commands/tool/bench_reach.c -------- */
+/* -------- commands/tool/bench_fit.c -------- */
 
 /*
  * The thick lens that `lenscalc fit` finds at this wavelength.
@@ -32,6 +32,8 @@ static inline bool bench_is_number(const struct bench_input *input)
  */
 bool bench_fit(const struct bench_input *input, const struct setup *setup, double distortion,
                struct run *run, struct thick_lens *thick, struct error *why);
+
+/* -------- commands/tool/bench_reach.c -------- */
 
 /*
  * A benchmark of a lens in one case, with the thick lens that `lenscalc fit` finds for it.

@@ -36,11 +36,11 @@ static void photo_run_once(void *context)
 }
 
 /* Where the chief ray of the edge arrives, from the axis, mm. */
-static bool photo_corner(const struct setup *setup, bool clip, struct arena *arena, double *corner,
+static bool photo_corner(const struct setup *setup, struct arena *arena, double *corner,
                          struct error *error)
 {
     const struct bundle_question question = {
-        .setup = setup, .field = &setup->edge, .clip = clip, .pattern = PATTERN_SQUARE};
+        .setup = setup, .field = &setup->edge, .pattern = PATTERN_SQUARE};
     struct bundle_source *source = ARENA_NEW(arena, struct bundle_source);
     if (!bundle_open(&question, arena, source, error)) {
         return false;
@@ -95,12 +95,11 @@ static double photo_error(const struct photo_run *run, const struct photo_run *t
 }
 
 /* The question of a picture by the lens as it is. */
-static bool photo_question(const struct bench_input *input, const struct setup *setup,
-                           struct arena *arena, struct photograph_question *question,
-                           struct error *error)
+static bool photo_question(const struct setup *setup, struct arena *arena,
+                           struct photograph_question *question, struct error *error)
 {
     double corner;
-    if (!photo_corner(setup, !input->no_clip, arena, &corner, error)) {
+    if (!photo_corner(setup, arena, &corner, error)) {
         return false;
     }
     const double diagonal = hypot(COLUMNS, ROWS), distance = far_away * fabs(setup->first.efl);
@@ -168,7 +167,7 @@ bool bench_photograph(const struct bench_input *input, const struct setup *setup
     struct thick_lens thick;
     struct error why = {.code = ERROR_NONE};
     const bool is_fitted = bench_fit(input, setup, 0, run, &thick, &why);
-    if (!photo_question(input, setup, arena, &truth->question, error)) {
+    if (!photo_question(setup, arena, &truth->question, error)) {
         return false;
     }
     *benchmark =

@@ -35,9 +35,10 @@ static const struct option options[] = {
      .help = "name the cheapest that keeps this error, a length in um, of mtf and irradiance a "
              "number or "
              "%, and up to which aperture and field each does"},
-    {ASKED(clip), .name = "clip", .excludes = "no-clip",
+    {ASKED(clip), .name = "clip", .excludes = "no-clip", .wants = "quantity!=photograph",
      .help = "clip rays at apertures and stop (default)"},
-    {ASKED(no_clip), .name = "no-clip", .help = "do not clip rays at clear apertures"},
+    {ASKED(no_clip), .name = "no-clip", .wants = "quantity!=photograph",
+     .help = "do not clip rays at clear apertures"},
 };
 
 struct bench_row {

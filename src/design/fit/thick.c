@@ -259,12 +259,15 @@ static void join_rms(double *rms, double weight, double squares, double all)
     *rms = all > 0 ? sqrt((*rms * *rms * weight + squares) / all) : 0;
 }
 
-void thick_score_add(const struct thick_rays *rays, const struct thick_lens *lenses,
+void thick_score_add(const struct thick_rays *rays, const struct thick_lens *lenses, bool pinhole,
                      const double planes[2], struct thick_score *score)
 {
     double sums[3] = {0}, before = score->weight;
     for (size_t i = 0; i < rays->count; i++) {
-        const struct slope_ray out = map_ray(rays, lenses, i);
+        const struct slope_ray in = {rays->x[i], rays->y[i], rays->p[i], rays->q[i]};
+        const struct thick_lens *lens = &lenses[thick_rays_group(rays, i)];
+        const struct slope_ray out =
+            pinhole ? thick_lens_pinhole(lens, in) : thick_lens_map(lens, in);
         double w = thick_rays_weight(rays, i);
         double x = out.x - rays->x_out[i], y = out.y - rays->y_out[i];
         for (int k = 0; k < 2; k++) {

@@ -105,10 +105,11 @@ struct thick_score {
 /*
  * Compare a thick lens with rays in two planes, and by direction.
  *
- * Given     planes  from the rear reference plane, mm
- *           score   of the rays so far, of none if all is 0; receives that of these too
+ * Given     pinhole  the hole in H in place of it, thick_lens_pinhole
+ *           planes   from the rear reference plane, mm
+ *           score    of the rays so far, of none if all is 0; receives that of these too
  */
-void thick_score_add(const struct thick_rays *rays, const struct thick_lens *lenses,
+void thick_score_add(const struct thick_rays *rays, const struct thick_lens *lenses, bool pinhole,
                      const double planes[2], struct thick_score *score);
 
 /* A pupil: the picture of the stop from one side. */
