@@ -164,6 +164,13 @@ static inline void hs_52(const double *x, double *r)
     r[6] = x[1] - x[4];
 }
 
+/* The last condition said twice. */
+static inline void hs_52_twice(const double *x, double *r)
+{
+    hs_52(x, r);
+    r[7] = r[6];
+}
+
 static inline void hs_53(const double *x, double *r)
 {
     hs_52(x, r);
@@ -283,6 +290,14 @@ static const struct classic classics[] = {
     {"HS 28", 3, 2, 1, hs_28, {-4, 1, 1}, .minimum = 0, .within = 1e-12},
     {"HS 42", 4, 4, 2, hs_42, {1, 1, 1, 1}, .minimum = 13.857864376269049, .within = 1e-9},
     {"HS 52", 5, 4, 3, hs_52, {2, 2, 2, 2, 2}, .minimum = 1859.0 / 349, .within = 1e-10},
+    {"HS 52, one condition twice",
+     5,
+     4,
+     4,
+     hs_52_twice,
+     {2, 2, 2, 2, 2},
+     .minimum = 1859.0 / 349,
+     .within = 1e-10},
     {"HS 53",
      5,
      4,
