@@ -438,8 +438,27 @@ static void test_nothing(void)
     arena_free(&arena);
 }
 
+/* Of a zoom one position may be asked for, or all. */
+static void test_position(void)
+{
+    static const struct merit_case of = {"zoom", zoom, "R1", "efl=80,bfl=60", 0};
+    static const size_t tele[] = {1};
+    struct arena arena = {0};
+    struct merit_bench bench;
+    struct merit merit;
+    struct error error;
+    CHECK(merit_bench_open(&bench, &of, &arena, &error) && bench.merit.place_count == 2);
+    struct merit_question question = bench.merit.question;
+    question.positions = tele;
+    question.position_count = 1;
+    CHECK(merit_open(&question, &arena, &merit, &error) && merit.place_count == 1 &&
+          merit.places[0].position == 1);
+    arena_free(&arena);
+}
+
 int main(void)
 {
+    test_position();
     test_power();
     test_relations();
     test_refused();
