@@ -14,8 +14,8 @@
 enum {
     MODEL_RAYS = 60,     /* of a field, if no number is given; */
     CONTRAST_RAYS = 500, /* of contrast */
-    FITTED_FIELDS = 24,  /* of the rays that polynomials are fitted to */
-    FITTED_RAYS = 64,
+    FITTED_FIELDS = 16,  /* of the rays that polynomials are fitted to */
+    FITTED_RAYS = 48,
     MOST_WAYS = 64,
     MOST_DOUBLINGS = 9
 };
@@ -86,20 +86,20 @@ static bool benchmark_fit(const struct benchmark_work *work, int degree, struct 
     const struct model_sum_question asked = {
         .setup = setup, .pattern = PATTERN_SOBOL, .rays = FITTED_RAYS, .clip = question->clip};
     struct model_rays rays;
-    if (!lens_model_check(setup->lens, &setup->first, error) ||
+    if (!lens_model_check_rays(setup->lens, &setup->first, error) ||
         !ray_model_open(setup, MODEL_EXACT, arena, model, error) ||
         !model_rays_make(&asked, fitted_fields(setup, arena), FITTED_FIELDS, arena, &rays, error)) {
         return false;
     }
     model_rays_trace(model, &rays, NULL);
-    const struct ray_polynomial_task task = {.before = &rays.starts,
-                                             .after = &rays.ends,
-                                             .degree = degree,
-                                             .terms = question->terms > 0 ? question->terms
-                                                                          : 4 * (size_t)degree,
-                                             .pupil = setup->first.entrance_pupil,
-                                             .index = model->system->index_first,
-                                             .index_last = model->system->index_last};
+    const struct ray_polynomial_task task = {
+        .before = &rays.starts,
+        .after = &rays.ends,
+        .degree = degree,
+        .terms = question->terms > 0 ? question->terms : 4 * (size_t)degree,
+        .pupil = isfinite(setup->first.entrance_pupil) ? setup->first.entrance_pupil : 0,
+        .index = model->system->index_first,
+        .index_last = model->system->index_last};
     model->kind = MODEL_POLYNOMIAL;
     return ray_polynomial_fit(&task, arena, &model->polynomial, error);
 }

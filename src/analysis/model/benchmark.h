@@ -65,7 +65,7 @@ struct benchmark {
  *           less than truth_error. digits: the logarithm of scale over error, 0 at least
  * Formula   the truth: of rays 113 bits, whose own error is that of 64 bits times 2^-49; of sums
  *           exact rays or waves by quadratures that were doubled until they stand, to 1e-9 or as
- *           far as they go. Polynomials are fitted to other rays than those that judge them: of 24
+ *           far as they go. Polynomials are fitted to other rays than those that judge them: of 16
  *           fields to the edge, Sobol's points of the stop
  * Errors    as bundle_open and those that find the truth; a model that cannot be has a `why`
  */

@@ -18,9 +18,11 @@ const struct word lens_models[RAY_MODELS] = {
     [MODEL_EXACT_113] = {"exact-113", "the same in numbers of 113 bits"},
 };
 
-bool lens_model_check(const struct lens *lens, const struct first_order *first, struct error *error)
+static const char no_model[] = "no model stands for this lens";
+
+bool lens_model_check_rays(const struct lens *lens, const struct first_order *first,
+                           struct error *error)
 {
-    static const char others[] = "no model stands for this lens";
     const char *why = NULL;
     bool is = true;
     for (size_t i = 0; i < lens->surface_count; i++) {
@@ -34,14 +36,24 @@ bool lens_model_check(const struct lens *lens, const struct first_order *first, 
         why = "it is afocal and has no principal planes";
     } else if (first->index_image * first->index_object < 0) {
         why = "its light comes back to the side it came from";
-    } else if (lens->stop == LENS_NONE) {
+    }
+    return why == NULL || fail(error, ERROR_DOMAIN, "%s: %s", no_model, why);
+}
+
+bool lens_model_check(const struct lens *lens, const struct first_order *first, struct error *error)
+{
+    const char *why = NULL;
+    if (!lens_model_check_rays(lens, first, error)) {
+        return false;
+    }
+    if (lens->stop == LENS_NONE) {
         why = "it has no stop";
     } else if (!isfinite(first->entrance_pupil)) {
         why = "its entrance pupil lies at infinity";
     } else if (!(fabs(first->entrance_diameter) > 0)) {
         why = "how wide its entrance pupil is is not known";
     }
-    return why == NULL || fail(error, ERROR_DOMAIN, "%s: %s", others, why);
+    return why == NULL || fail(error, ERROR_DOMAIN, "%s: %s", no_model, why);
 }
 
 struct thick_lens lens_model_thick(enum lens_model model, const struct first_order *first,

@@ -55,10 +55,19 @@ static inline bool lens_model_replaces(enum lens_model model)
 }
 
 /*
- * Can one focal length and one place of each plane say what a lens does?
+ * Can one focal length and two planes say what a lens does to rays?
  *
  * Errors    ERROR_DOMAIN: surfaces that are not round about one axis, an afocal lens, one whose
- *           light comes back, no stop, an entrance pupil at infinity, no aperture
+ *           light comes back
+ */
+bool lens_model_check_rays(const struct lens *lens, const struct first_order *first,
+                           struct error *error);
+
+/*
+ * And one place of each pupil, what light comes through?
+ *
+ * Errors    as lens_model_check_rays; ERROR_DOMAIN: no stop, an entrance pupil at infinity, no
+ *           aperture
  */
 bool lens_model_check(const struct lens *lens, const struct first_order *first,
                       struct error *error);

@@ -29,7 +29,7 @@ bool ray_model_open(const struct setup *setup, enum lens_model kind, struct aren
     case MODEL_THIN:
     case MODEL_PINHOLE:
         if (!setup_light(setup, 0, &light, error) ||
-            !lens_model_check(setup->lens, &light.first, error)) {
+            !lens_model_check_rays(setup->lens, &light.first, error)) {
             return false;
         }
         model->thick = lens_model_thick(kind, &light.first,

@@ -24,7 +24,7 @@ struct ray_model {
  * Make a model of a setup's lens, at the first of its wavelengths. Its memory is the arena's.
  *
  * Given     kind    any but MODEL_FITTED and MODEL_POLYNOMIAL, see below
- * Errors    ERROR_DOMAIN: no image plane; as lens_model_check, third_order_open, setup_system
+ * Errors    ERROR_DOMAIN: no image plane; as lens_model_check_rays, third_order_open, setup_system
  */
 bool ray_model_open(const struct setup *setup, enum lens_model kind, struct arena *arena,
                     struct ray_model *model, struct error *error);

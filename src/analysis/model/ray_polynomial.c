@@ -172,17 +172,20 @@ static struct pursuit pursuit_open(const struct ray_polynomial_task *task,
     return pursuit;
 }
 
-/* The column that is most alike to what is left; columns: none. */
+/* The column that would leave least of what is left; columns: none would take anything. */
 static size_t pursuit_next(const struct pursuit *pursuit, const bool *is_chosen, const double *left)
 {
     size_t best = pursuit->columns;
     double most = 0;
     for (size_t c = 0; c < pursuit->columns; c++) {
-        const double alike = is_chosen[c] || !(pursuit->length[c] > 0)
-                                 ? 0
-                                 : fabs(pursuit_dot(pursuit->column[c], left, pursuit->rows));
-        if (alike > most) {
-            most = alike;
+        const double *column = pursuit->column[c];
+        const double square = is_chosen[c] ? 0 : pursuit_dot(column, column, pursuit->rows);
+        if (!(square > 1e-22)) { /* nothing that the others do not have */
+            continue;
+        }
+        const double along = pursuit_dot(column, left, pursuit->rows);
+        if (along * along / square > most) {
+            most = along * along / square;
             best = c;
         }
     }
@@ -190,67 +193,63 @@ static size_t pursuit_next(const struct pursuit *pursuit, const bool *is_chosen,
 }
 
 /*
- * The terms that match `left`, of which what they leave stays.
+ * The terms that match the first of two, and what they make of the second; what they leave stays.
  *
- * Formula   Gram and Schmidt's vectors of the chosen columns, twice orthogonal; R by substitution
+ * Given     columns of unit length, which are used up
+ * Formula   Gram and Schmidt: each chosen column, of length 1, is taken out of all others and out
+ *           of what is left; R by substitution
  */
-static struct ray_series pursuit_match(const struct pursuit *pursuit, size_t most, double *left)
+static void pursuit_match(const struct pursuit *pursuit, size_t most, double *const left[2],
+                          struct ray_series series[2])
 {
     struct arena *arena = pursuit->arena;
-    const size_t rows = pursuit->rows;
-    most = most < pursuit->columns ? most : pursuit->columns;
-    bool *is_chosen = ARENA_ARRAY(arena, pursuit->columns, bool);
-    double **q = ARENA_ARRAY(arena, most, double *), *r = ARENA_ARRAY(arena, most * most, double);
-    double *along = ARENA_ARRAY(arena, most, double);
+    const size_t rows = pursuit->rows, columns = pursuit->columns;
+    most = most < columns ? most : columns;
+    bool *is_chosen = ARENA_ARRAY(arena, columns, bool);
+    double *r = ARENA_ARRAY(arena, most * columns, double);
+    double *along[2] = {ARENA_ARRAY(arena, most, double), ARENA_ARRAY(arena, most, double)};
     size_t *chosen = ARENA_ARRAY(arena, most, size_t), count = 0;
-    const double whole = sqrt(pursuit_dot(left, left, rows));
-    while (count < most && sqrt(pursuit_dot(left, left, rows)) > 1e-14 * whole) {
-        const size_t c = pursuit_next(pursuit, is_chosen, left);
-        if (c == pursuit->columns) {
+    const double whole = sqrt(pursuit_dot(left[0], left[0], rows));
+    while (count < most && sqrt(pursuit_dot(left[0], left[0], rows)) > 1e-14 * whole) {
+        const size_t c = pursuit_next(pursuit, is_chosen, left[0]);
+        if (c == columns) {
             break;
         }
+        double *q = pursuit->column[c];
+        const double length = sqrt(pursuit_dot(q, q, rows));
+        for (size_t i = 0; i < rows; i++) {
+            q[i] /= length;
+        }
         is_chosen[c] = true;
-        double *vector = q[count] = ARENA_ARRAY(arena, rows, double);
-        for (size_t i = 0; i < rows; i++) {
-            vector[i] = pursuit->column[c][i];
-        }
-        for (int pass = 0; pass < 2; pass++) {
-            for (size_t k = 0; k < count; k++) {
-                const double share = pursuit_dot(q[k], vector, rows);
-                r[k * most + count] += share;
-                for (size_t i = 0; i < rows; i++) {
-                    vector[i] -= share * q[k][i];
-                }
+        r[count * columns + c] = length;
+        for (size_t other = 0; other < columns; other++) {
+            const double share =
+                is_chosen[other] ? 0 : pursuit_dot(q, pursuit->column[other], rows);
+            r[count * columns + other] += share;
+            for (size_t i = 0; i < rows && !is_chosen[other]; i++) {
+                pursuit->column[other][i] -= share * q[i];
             }
         }
-        const double length = sqrt(pursuit_dot(vector, vector, rows));
-        if (!(length > 1e-12)) { /* the others have it: it stays out */
-            for (size_t k = 0; k < count; k++) {
-                r[k * most + count] = 0;
+        for (int k = 0; k < 2; k++) {
+            along[k][count] = pursuit_dot(q, left[k], rows);
+            for (size_t i = 0; i < rows; i++) {
+                left[k][i] -= along[k][count] * q[i];
             }
-            continue;
-        }
-        for (size_t i = 0; i < rows; i++) {
-            vector[i] /= length;
-        }
-        r[count * most + count] = length;
-        along[count] = pursuit_dot(vector, left, rows);
-        for (size_t i = 0; i < rows; i++) {
-            left[i] -= along[count] * vector[i];
         }
         chosen[count++] = c;
     }
-    struct ray_series series = {.terms = ARENA_ARRAY(arena, most, struct ray_term), .count = count};
-    for (size_t k = count; k-- > 0;) {
-        double value = along[k];
-        for (size_t j = k + 1; j < count; j++) {
-            value -= r[k * most + j] * along[j];
+    for (int s = 0; s < 2; s++) {
+        series[s] = (struct ray_series){ARENA_ARRAY(arena, most, struct ray_term), count};
+        for (size_t k = count; k-- > 0;) {
+            double value = along[s][k];
+            for (size_t j = k + 1; j < count; j++) {
+                value -= r[k * columns + chosen[j]] * along[s][j];
+            }
+            along[s][k] = value / r[k * columns + chosen[k]];
+            series[s].terms[k] = pursuit->terms[chosen[k]];
+            series[s].terms[k].coefficient = along[s][k] / pursuit->length[chosen[k]];
         }
-        along[k] = value / r[k * most + k];
-        series.terms[k] = pursuit->terms[chosen[k]];
-        series.terms[k].coefficient = along[k] / pursuit->length[chosen[k]];
     }
-    return series;
 }
 
 /* What w is divided by: the largest there is. */
@@ -305,8 +304,10 @@ bool ray_polynomial_fit(const struct ray_polynomial_task *task, struct arena *ar
         left[1][k] = block->p[lane] / task->index_last;
         left[1][count + k] = block->q[lane] / task->index_last;
     }
-    polynomial->place = pursuit_match(&pursuit, task->terms, left[0]);
-    polynomial->direction = pursuit_match(&pursuit, task->terms, left[1]);
+    struct ray_series series[2];
+    pursuit_match(&pursuit, task->terms, left, series);
+    polynomial->place = series[0];
+    polynomial->direction = series[1];
     polynomial->rms = sqrt(pursuit_dot(left[0], left[0], 2 * count) / (double)count);
     return true;
 }

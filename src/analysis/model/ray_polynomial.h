@@ -40,7 +40,7 @@ struct ray_polynomial {
 struct ray_polynomial_task {
     const struct rays *before, *after; /* lost ones are left out */
     int degree;                        /* 1, 3 .. RAY_POLYNOMIAL_DEGREE */
-    size_t terms;                      /* of each of the two series, at most */
+    size_t terms;                      /* at most */
     double pupil; /* from the first vertex, mm: where rays are close together */
     double index, index_last;
 };
@@ -51,9 +51,9 @@ struct ray_polynomial_task {
  * Formula   h = (L, M)/(1 + N) of the direction, the tangent of half its angle, so that rays at 90
  *           degrees and beyond are like others; w = (x N - z L, y N - z M) about the axis in the
  *           plane of `pupil`. Place and direction cosines behind the lens turn with them: each is
- *           w A + h B, where A and B are polynomials of w.w, w.h and h.h. Terms by orthogonal
- *           matching pursuit: that which is most alike to what is left, then all chosen ones anew
- *           by least squares
+ *           w A + h B, where A and B are polynomials of w.w, w.h and h.h. Terms of the place by
+ *           orthogonal matching pursuit: each time that which leaves least, all chosen ones by
+ *           least squares; the direction has the same terms
  * Source    [Schrade16]; the invariants, [Hullin12] has all four variables
  * Errors    ERROR_DOMAIN: a degree that there is not, no rays
  */
