@@ -89,7 +89,7 @@ class Checks:
         """The same with a share of what is expected, which is not 0, for `allowed`."""
         if actual is not None and math.isfinite(actual):
             actual, expected = exact(actual) / exact(expected), 1
-        return self.against(source, case, quantity + ", relative", actual, expected, allowed)
+        return self.against(source, case, f"{quantity} (relative)", actual, expected, allowed)
 
     def finish(self):
         if self.compared:

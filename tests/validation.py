@@ -167,8 +167,8 @@ def page_lines(known, table):
                 lines += [".TP", f".B {roff(source['what'])}", *lines_of(roff(source["title"]) + "."),
                           *lines_of(roff(f"{count_words(row)}; {worst_words(row)}"))]
                 if source["needs"] == "shared":
-                    lines += lines_of("What it is about is not ours to carry: the row is from a run "
-                                      "that had it, and kept as it is in others.")
+                    lines += lines_of("These are not ours to carry: the row is from a run that had "
+                                      "them, and kept as it is where they are not.")
     return lines
 
 
@@ -188,8 +188,8 @@ def readme_lines(known, table):
         count = sum(int(row["count"]) for row in rows)
         lines.append(f"    {title:<23}{len(rows):>3} sources {count:>7,} values, worst "
                      f"{worst['share']} of what is allowed")
-    return lines + ["", "Of OpticStudio's lens and of others' files, which are not ours to carry, the rows are",
-                    "from a run that had them."]
+    return lines + ["", "Rows of OpticStudio's lens and of others' files, which are not ours to carry, are",
+                    "kept from a run that had them."]
 
 
 def readme_text(known, table):

@@ -97,7 +97,7 @@ def check_batch(program, checks):
 
 def check_diffraction(program, checks):
     row = rows_of(program, "diffraction", "-N", "64", "-w", "500nm")[0]
-    near(checks, row["airy_radius_um"], 39.04, 0.011, "lecture: 1.22 x 64 x 0.5 um", "um")
+    near(checks, row["airy_radius_um"], 39.04, 0.011, "lecture, f/64 and 0.5 um: 1.22 N w", "um")
     near(checks, row["airy_radius_um"], 39.029437, 1e-6, "first zero of J1 3.8317059702/pi")
     near(checks, row["cutoff_per_mm"], 31.25, 1e-13, "1/(w N)")
     with open("tests/truth/diffraction.tsv") as file:
@@ -116,7 +116,7 @@ def check_diffraction(program, checks):
                  what + "Airy radius", "um")
     # Hansma 1996: N = sqrt(375 dv) for green light
     row = rows_of(program, "diffraction", "--focus-spread", "3", "-w", "546")[0]
-    relative(checks, row["optimum_fnumber"], math.sqrt(375 * 3), 0.002, "Hansma: sqrt(375 dv)")
+    relative(checks, row["optimum_fnumber"], math.sqrt(375 * 3), 0.002, "Hansma, 3 mm of focus: best f-number")
     # the Nyquist frequency of 5 um pixels is 100 per mm; their MTF there 2/pi
     row = rows_of(program, "diffraction", "-N", "8", "--pitch", "5um", "--frequency", "100")[0]
     relative(checks, row["nyquist_per_mm"], 100, EXACT, "Nyquist")
