@@ -75,7 +75,7 @@ static double time_rays(struct fixture *fixture, const struct trace_way *way, in
     return best;
 }
 
-static double million(const struct fixture *fixture, double seconds)
+static inline double million(const struct fixture *fixture, double seconds)
 {
     return (double)fixture->rays.count * (double)fixture->system.places / seconds / 1e6;
 }

@@ -78,7 +78,7 @@ static inline struct plain_ray plain_start(size_t i)
 }
 
 /* Seconds for all rays, the best of so many turns. */
-static double plain_time(int turns)
+static inline double plain_time(int turns)
 {
     static struct plain_ray start[PLAIN_RAYS], rays[PLAIN_RAYS];
     double best = 1e9;
