@@ -97,11 +97,34 @@ static void check_names(const struct command *command, const struct sheet *sheet
     }
 }
 
+/* The title of a lens tells lenses apart; a column of its name, which finds it, is there on
+   request. */
+static void check_name_of_lens(const struct command *command, const struct sheet *sheet,
+                               const struct option *option)
+{
+    const struct echo_question question = {.command = command,
+                                           .sheet = sheet,
+                                           .all = true,
+                                           .given = is_asked,
+                                           .varied = is_asked,
+                                           .asked = option->name};
+    struct echo echo;
+    echo_open(&echo, &question, &arena);
+    size_t found = 0;
+    for (size_t i = 0; i < echo.sheet.column_count; i++) {
+        found += strcmp(echo.sheet.columns[i].name, "lens_name") == 0;
+    }
+    CHECK(found == 1);
+}
+
 static void check_sheet(const struct command *command, const struct sheet *sheet)
 {
     check_names(command, sheet);
     for (size_t i = 0; i < command->option_count; i++) {
         const struct option *option = &command->options[i];
+        if (option->kind == &kind_lens && option->column != NULL) {
+            check_name_of_lens(command, sheet, option);
+        }
         if (option->kind->is_list || (option->flags & OPTION_MANY) != 0) {
             const bool told = is_told(command, sheet, option);
             CHECK(told);

@@ -110,7 +110,9 @@ static size_t describe_echoes(const struct command *command, const struct sheet 
         for (size_t k = 0; k < echo.count; k++) {
             const struct column *column = &echo.sheet.columns[k];
             const struct option *option = echo.items[k].option;
-            bool known = !option->kind->is_list || (option->flags & OPTION_ASIDE) != 0;
+            const bool is_named = option->kind->recall != NULL && option->column != NULL;
+            bool known =
+                !(option->kind->is_list || is_named) || (option->flags & OPTION_ASIDE) != 0;
             for (size_t n = 0; sheets[n] != NULL && !known; n++) {
                 known = has_column(sheets[n], column->name, strlen(column->name));
             }
@@ -119,7 +121,9 @@ static size_t describe_echoes(const struct command *command, const struct sheet 
             }
             if (!known) {
                 rows[count] = describe(command, column, arena);
-                rows[count].shown = arena_printf(arena, "where --%s varies", column->with);
+                rows[count].shown = is_named
+                                        ? "on request"
+                                        : arena_printf(arena, "where --%s varies", column->with);
                 names[count++] = column->name;
             }
         }

@@ -184,11 +184,14 @@ static bool check_new(struct batch *batch, struct batch_column *column, struct e
     for (size_t i = 0; i < batch->column_count; i++) {
         struct batch_column *other = &batch->columns[i];
         if (column->option != NULL && other->option != NULL) {
-            /* beside an option's column a result that bears its name does not mean it */
+            /* beside an option's column a result that bears its name does not mean it, such as
+               the title of a lens */
             struct batch_column *const result = is_own_name(column) ? other : column;
+            const bool is_title = column->option->kind->recall != NULL;
             if (column->option == other->option && is_own_name(column) != is_own_name(other) &&
-                is_computed(batch, result->name)) {
+                (is_title || is_computed(batch, result->name))) {
                 result->option = NULL;
+                result->is_ignored = is_title;
             }
         }
         bool same_name = text_identical(other->name, column->name);
@@ -256,7 +259,7 @@ static bool settle_column(struct batch *batch, struct batch_column *column, bool
     if (goal && settled && !arguments_given(batch->arguments, column->option->name)) {
         column->is_ignored = true;
         column->is_plain = false;
-    } else if (column->option == NULL && is_computed(batch, column->name)) {
+    } else if (column->is_ignored || (column->option == NULL && is_computed(batch, column->name))) {
         column->is_ignored = true;
     } else if (column->option == NULL && column->is_late && !batch->hands_late) {
         column->is_ignored = true;

@@ -93,6 +93,14 @@ static enum column_type echo_type_of(const struct option *option)
     return COLUMN_TEXT;
 }
 
+/* Does another column tell its values apart than one by which they are read again? A lens's title
+   does, but its name is what finds it. */
+static bool echo_is_other(const struct column *column, const struct option *option)
+{
+    return option->kind->recall != NULL && option->column != NULL &&
+           strcmp(column->name, option->column) != 0;
+}
+
 /* Are there words or numbers for its values? */
 static bool is_sayable(const struct option *option)
 {
@@ -126,6 +134,30 @@ static void add_equivalent(struct echo *echo, const struct option *option, struc
     echo->items[echo->count++] = (struct echo_item){option, place->offset, true, true};
 }
 
+/* A column of an option's values, behind those that were added before. Where one of the command
+   tells them apart it is there on request. */
+static void echo_add_column(struct echo *echo, const struct option *option, bool on_request,
+                            struct column *place, struct arena *arena)
+{
+    const char *name = column_name(option, arena);
+    const struct unit *unit = echo_is_number(option) ? option_unit(option) : NULL;
+    *place = (struct column){
+        .name = name,
+        .unit = unit != NULL && unit->name[0] != '\0' ? unit->name : NULL,
+        .dimension = echo_is_number(option) ? option->dimension : NULL,
+        .type = echo_type_of(option),
+        .offset = echo->sheet.row_size,
+        .flags = COLUMN_ADDED | COLUMN_ECHO | (on_request ? COLUMN_EXTRA : COLUMN_BRIEF) |
+                 (may_be_infinite(option) ? COLUMN_INFINITE : 0),
+        .with = on_request ? NULL : option->name,
+        .when = on_request ? arena_printf(arena, "with --%s", option->name) : NULL,
+        .label = option->quantity != NULL ? option->quantity : spelt(name, '_', ' ', arena),
+        .help = option->help,
+    };
+    echo->sheet.row_size += VALUE;
+    echo->sheet.column_count++;
+}
+
 void echo_open(struct echo *echo, const struct echo_question *question, struct arena *arena)
 {
     const struct sheet *own = question->sheet;
@@ -146,29 +178,16 @@ void echo_open(struct echo *echo, const struct echo_question *question, struct a
             continue;
         }
         const size_t found = echo_find_column(own, option, column_name(option, arena));
-        if (found == own->column_count && is_sayable(option)) {
-            /* behind those that were added before */
-            const size_t offset = echo->sheet.row_size;
-            const char *name = column_name(option, arena);
-            const struct unit *unit = echo_is_number(option) ? option_unit(option) : NULL;
-            columns[echo->count] = (struct column){
-                .name = name,
-                .unit = unit != NULL && unit->name[0] != '\0' ? unit->name : NULL,
-                .dimension = echo_is_number(option) ? option->dimension : NULL,
-                .type = echo_type_of(option),
-                .offset = offset,
-                .flags = COLUMN_ADDED | COLUMN_ECHO | COLUMN_BRIEF |
-                         (may_be_infinite(option) ? COLUMN_INFINITE : 0),
-                .with = option->name,
-                .label = option->quantity != NULL ? option->quantity : spelt(name, '_', ' ', arena),
-                .help = option->help,
-            };
-            echo->sheet.row_size += VALUE;
-            echo->sheet.column_count++;
+        const bool lacks = found == own->column_count;
+        const bool is_known = question->given(question->asked, option->name);
+        if ((lacks || (question->all && echo_is_other(&own->columns[found], option))) &&
+            is_sayable(option)) {
+            struct column *const place = &columns[echo->count];
+            echo_add_column(echo, option, !lacks, place, arena);
             echo->items[echo->count++] = (struct echo_item){
-                option, offset,
-                option->fallback != NULL || question->given(question->asked, option->name), false};
-        } else if (found < own->column_count && varies) {
+                option, place->offset, option->fallback != NULL || is_known, false};
+        }
+        if (!lacks && varies) {
             /* a column of the command, among those of sheet_spread */
             struct column *spread = columns + most;
             while (spread->name != own->columns[found].name) {

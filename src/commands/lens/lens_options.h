@@ -43,7 +43,8 @@ extern const struct word section_words[];
 /* The last operand: all words that are left are lenses. */
 #define LENS_OPTION(S, member)                                                                     \
     ENTRY(OPTION(S, member.lens), .name = "lens", .letter = 'l', .value = "LENS",                  \
-          .flags = OPTION_OPERAND | OPTION_FILE | OPTION_MANY, .types = lens_types,                \
+          .column = "lens_name", .flags = OPTION_OPERAND | OPTION_FILE | OPTION_MANY,              \
+          .types = lens_types,                                                                     \
           .help = "a lens of lensdb (list lenses), a file, or - for "                              \
                   "standard input")
 

@@ -43,8 +43,8 @@ enum photo_lens_use {
 
 #define PHOTO_LENS_OPTIONS(member)                                                                 \
     ENTRY(                                                                                         \
-        ASKED(member.lens), .name = "lens", .letter = 'l', .value = "LENS", .flags = OPTION_FILE,  \
-        .types = lens_types,                                                                       \
+        ASKED(member.lens), .name = "lens", .letter = 'l', .value = "LENS", .column = "lens_name", \
+        .flags = OPTION_FILE, .types = lens_types,                                                 \
         .help =                                                                                    \
             "a real lens in place of -f: a name (list lenses), a file, or - for standard input"),  \
         LENS_POSITION_OPTION(INPUT, member), LENS_SECTION_OPTION(INPUT, member)
