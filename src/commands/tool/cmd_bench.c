@@ -31,7 +31,7 @@ static const struct option options[] = {
      .column = "frequency", .lowest = 0, .highest = INFINITY,
      .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .fallback = "30", .value = "FREQUENCY",
      .wants = "quantity=mtf", .help = "spatial frequency in the image"},
-    {ASKED(error), .name = "error", .value = "ERROR",
+    {ASKED(error), .name = "error", .column = "error_wanted", .value = "ERROR",
      .help = "name the cheapest that keeps this error, a length in um, of mtf and irradiance a "
              "number or "
              "%, and up to which aperture and field each does"},
