@@ -38,9 +38,10 @@ OTHERS = ("dof -f 50mm -N 5.6 -s 3m --scale {}", "dof -f 50mm -N 2.8,5.6,11 -s 0
           "color double-gauss --plot {}", "illumination double-gauss --plot {}",
           "wavefront double-gauss -N 5.6 --plot {}", "mtf double-gauss -N 8 --plot {}",
           "psf questar-35 --size 64 --plot {}", "psf edmund-49-847 -N 22 --size 64 --plot {}",
-          "report fisheye-16 -o {}")
+          "bench double-gauss --degree 3 --rays 12 --plot {}", "report fisheye-16 -o {}")
 # the analyses of other lenses: a fisheye, a zoom, of a phone, an obstructed mirror, with one field
-MORE = ("field fisheye-16 --plot {}",
+MORE = ("bench fisheye-16 --quantity spot --plot {}", "bench phone-80deg --plot {}",
+        "bench double-gauss --quantity photograph --plot {}", "field fisheye-16 --plot {}",
         "field canon-nfd-70-210 --position all --plot {}", "field phone-80deg --plot {}",
         "field questar-35 --plot {}", "field edmund-49-847 --plot {}",
         "illumination fisheye-16 --plot {}",

@@ -172,7 +172,9 @@ static void test_exact(struct arena *arena)
     const struct setup setup = setup_of("object inf\naperture epd 40\nfield angle 0\n"
                                         "surface -200 -100 mirror - k=-1 stop\n",
                                         0, arena);
-    static const double allowed[] = {1e-13, 1e-17, 1e-31};
+    /* where long double has 53 bits, as under valgrind, it is no better than double */
+    volatile long double one = 1, little = 0x1p-60L;
+    const double allowed[] = {1e-13, one + little > one ? 1e-17 : 1e-13, 1e-31};
     static const enum lens_model kinds[] = {MODEL_EXACT, MODEL_EXACT_64, MODEL_EXACT_113};
     for (size_t i = 0; i < 3; i++) {
         const struct ray_model model = model_of(&setup, kinds[i], arena);
