@@ -26,7 +26,7 @@ lenscalc dof -f 50 --fnumber 8 -s 3
 lenscalc exposure --metered 1/125 --nd 10
 lenscalc exposure --shutter-speed 1/125
 # labels that two columns of a command share, so that neither answers to it
-lenscalc list columns --tsv --columns command,label,column | sed 's/_\(um\|mm\|mrad\|per_m\|m\|diopter\)$//' | sort -u | cut -f 1,2 | uniq -d
+lenscalc list columns --tsv --columns command,label,column | sed 's/_\(um\|mm\|mrad\|deg\|per_m\|m\|diopter\)$//' | sort -u | cut -f 1,2 | uniq -d
 # of both forms of a column its label means the first
 lenscalc spot double-gauss --columns 'RMS in x,RMS in x mrad' --field 0 -w d --csv --digits 3
 lenscalc wavefront --columns '?' | grep '^rays '

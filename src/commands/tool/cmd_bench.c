@@ -104,7 +104,7 @@ static const struct column columns[] = {
              "by the same factor, to a stop; absent where not even ten stops on"},
     {COLUMN_OR(ROW, keeps_field, field_is_height, &heights), .dimension = &dimension_angle,
      .unit = "deg", .flags = COLUMN_BRIEF | COLUMN_EXTRA, .with = "error", .name = "keeps_to_field",
-     .head = "within", .digits = 3, .help = "largest field there"},
+     .head = "within", .label = "keeps to field", .digits = 3, .help = "largest field there"},
     {PLAIN(verdict, COLUMN_NOTE), .name = "verdict", .help = "what is the cheapest, in words"},
     LENS_TITLE_COLUMN(ROW, lens),
     LENS_WARNING_COLUMN(ROW, warning),
