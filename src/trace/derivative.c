@@ -26,15 +26,14 @@ enum {
 struct derivative_tape derivative_tape_new(const struct system *system, struct arena *arena)
 {
     size_t steps = system->begin[system->places];
-    const size_t count = steps + 3 + SCRATCH_BLOCKS;
+    const size_t count = steps + 1 + SCRATCH_BLOCKS;
     /* from a whole line of the cache on: one block more than is used */
     char *memory = arena_buffer_array(arena, count + 1, sizeof(struct ray_block));
     struct ray_block *blocks =
         (struct ray_block *)(void *)(memory + (64 - (uintptr_t)memory % 64) % 64);
     return (struct derivative_tape){
         .blocks = blocks,
-        .spare = blocks + steps + 1,
-        .scratch = blocks[steps + 3].x,
+        .scratch = blocks[steps + 1].x,
         .lanes = RAYS_BLOCK,
     };
 }
@@ -243,7 +242,6 @@ struct adjoint_sweep {
     double *gradient;
     const struct derivative_pass *pass;
     kernel_adjoint *kernel;
-    kernel_displace *displace;
 };
 
 static double *row_or(const struct adjoint_sweep *sweep, enum parameter_kind kind, size_t surface,
@@ -329,31 +327,51 @@ void displacement_axes(const struct displacement *decentre, double axes[9])
     }
 }
 
-static void add_displacement(const struct adjoint_sweep *sweep, size_t place, size_t first,
-                             size_t end)
+/* Row by row m v of the rows v of a matrix. */
+static void turn_rows(const double m[9], const double rows[9], double turned[9])
 {
+    for (int k = 0; k < 9; k++) {
+        const double *v = rows + k / 3 * 3, *row = m + k % 3 * 3;
+        turned[k] = row[0] * v[0] + row[1] * v[1] + row[2] * v[2];
+    }
+}
+
+/* How a surface moves by itself, in its own axes; false: that is not asked for. */
+static bool motion_of(const struct adjoint_sweep *sweep, size_t place, size_t itself,
+                      struct adjoint_motion *motion)
+{
+    static const double straight[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
     const struct system *system = sweep->system;
-    size_t surface = system_surface(system, place);
-    size_t row = parameter_row(sweep->layout, PARAMETER_DECENTER_X, 0, surface);
+    const size_t surface = system_surface(system, place);
+    if (surface >= system->lens->surface_count) {
+        return false;
+    }
+    const size_t row = parameter_row(sweep->layout, PARAMETER_DECENTER_X, 0, surface);
     const struct displacement *decentre = system->lens->surfaces[surface].decentre;
-    const struct step *step = &system->steps[first];
-    struct displace all = {.front = &sweep->tape->blocks[first],
-                           .behind = &sweep->tape->blocks[end],
-                           .adjoint = sweep->adjoint,
-                           .adjoint_behind = sweep->tape->spare,
-                           .t = step->t,
-                           .rows = sweep->gradient + row * RAYS_BLOCK,
-                           .lanes = sweep->tape->lanes};
-    if (row == LENS_NONE) {
-        return;
+    const double *into = decentre != NULL ? system->steps[itself - 1].turn : straight;
+    double axes[9];
+    displacement_axes(decentre, axes);
+    turn_rows(into, straight, motion->shift);
+    turn_rows(into, axes, motion->turn);
+    motion->rows = sweep->gradient + row * RAYS_BLOCK;
+    return row != LENS_NONE;
+}
+
+/* What depends on the place on the surface goes back as that moves. */
+static void motion_take_place(const struct adjoint_motion *motion, const struct ray_block *rays,
+                              const struct derivative_pass *pass)
+{
+    for (int i = 0; i < pass->tape->lanes; i++) {
+        const double ax = pass->add_x[i], ay = pass->add_y[i];
+        const double turn[3] = {-rays->z[i] * ay, rays->z[i] * ax,
+                                rays->x[i] * ay - rays->y[i] * ax};
+        for (int k = 0; k < 3; k++) {
+            const double *e = motion->shift + 3 * k, *axis = motion->turn + 3 * k;
+            double *rows = motion->rows + i;
+            rows[(k < 2 ? k : DERIVE_SHIFT_Z) * RAYS_BLOCK] -= e[0] * ax + e[1] * ay;
+            rows[(2 + k) * RAYS_BLOCK] -= axis[0] * turn[0] + axis[1] * turn[1] + axis[2] * turn[2];
+        }
     }
-    displacement_axes(decentre, all.axes);
-    if (decentre != NULL) {
-        all.t = step->shift[2];
-        all.shift[0] = decentre->decenter[0].value.hi;
-        all.shift[1] = decentre->decenter[1].value.hi;
-    }
-    sweep->displace(&all);
 }
 
 /* sign (shift . a + axis . (X x a + p x b)) of every lane. */
@@ -434,16 +452,15 @@ static void sweep_place(const struct adjoint_sweep *sweep, size_t place)
     size_t begin = system->begin[place], end = system->begin[place + 1];
     size_t surface = system_surface(system, place), count = system->lens->surface_count;
     bool is_decentred = surface < count && system->lens->surfaces[surface].decentre != NULL;
-    size_t breaks = end - begin - (is_decentred ? 3 : 1), itself = end - (is_decentred ? 2 : 1);
+    size_t itself = end - (is_decentred ? 2 : 1);
     struct adjoint_rows rows = place_rows(sweep, place);
-    bool displaces = surface < count && (sweep->layout->what & DERIVE_DISPLACEMENT) != 0;
-    if (displaces) {
-        *sweep->tape->spare = *sweep->adjoint;
-    }
+    struct adjoint_motion motion;
+    bool moves = motion_of(sweep, place, itself, &motion);
     for (size_t i = end; i-- > begin;) {
         if (i == itself) {
             add_behind(sweep, place);
         }
+        rows.motion = i == itself && moves ? &motion : NULL;
         rows.thickness = i == begin ? thickness_row(sweep, place)
                                     : sweep->tape->scratch + SCRATCH_THICKNESS * RAYS_BLOCK;
         sweep->kernel(&system->steps[i], &sweep->tape->blocks[i], &sweep->tape->blocks[i + 1],
@@ -451,8 +468,8 @@ static void sweep_place(const struct adjoint_sweep *sweep, size_t place)
         if (i == itself) {
             add_seeds(sweep, place, false);
         }
-        if (displaces && i == begin + breaks) {
-            add_displacement(sweep, place, i, end);
+        if (i == itself && moves && sweep->pass->add_x != NULL && sweep->pass->at == place) {
+            motion_take_place(&motion, &sweep->tape->blocks[i + 1], sweep->pass);
         }
     }
     if ((sweep->layout->what & DERIVE_BREAK) != 0) {
@@ -480,8 +497,7 @@ void derivative_pass_part(const struct derivative_pass *pass, size_t from, size_
                                         pass->adjoint,
                                         pass->gradient,
                                         pass,
-                                        KERNEL_FOR(pass->set, kernel_adjoint),
-                                        KERNEL_FOR(pass->set, kernel_displace)};
+                                        KERNEL_FOR(pass->set, kernel_adjoint)};
     for (size_t place = from; place-- > to;) {
         sweep_place(&sweep, place);
     }

@@ -65,7 +65,6 @@ void displacement_axes(const struct displacement *decentre, double axes[9]);
 /* A block of rays with its state behind every step. */
 struct derivative_tape {
     struct ray_block *blocks; /* one a step and one in front; aligned */
-    struct ray_block *spare;  /* two for the adjoint */
     double *scratch;
     int lanes; /* the first so many are traced and swept: kernel_lanes of the rays, or all */
 };

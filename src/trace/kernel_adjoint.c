@@ -80,24 +80,24 @@ struct at {
     struct even_series S;
 };
 
-/* What the normal says of curvature, k, S and S'. */
+/* What the normal says of the point, of curvature, k, S and S'. */
 struct normal_adjoint {
+    struct lane_vector point;
     double c, k, w, slope;
 };
 
 /* The normal as a function of the point and of the shape. */
-INLINE struct normal_adjoint through_normal(struct lane_vector *a, struct lane_vector X,
-                                            struct lane_vector N_bar, const struct at *at)
+INLINE struct normal_adjoint through_normal(struct lane_vector X, struct lane_vector N_bar,
+                                            const struct at *at)
 {
     double G_bar = -(at->wx * X.x * N_bar.x + at->wy * X.y * N_bar.y);
     double f_bar = N_bar.z + 2 * G_bar * at->S.slope, slope_bar = 2 * at->f * G_bar;
     double w_bar = -at->c * at->K * f_bar;
     double u_bar = -w_bar * at->S.slope + slope_bar * at->S.bend;
-    a->x += at->wx * (2 * X.x * u_bar - at->G * N_bar.x);
-    a->y += at->wy * (2 * X.y * u_bar - at->G * N_bar.y);
-    a->z += w_bar;
-    return (struct normal_adjoint){G_bar - at->K * at->w * f_bar, -at->c * at->w * f_bar, w_bar,
-                                   slope_bar};
+    const struct lane_vector point = {at->wx * (2 * X.x * u_bar - at->G * N_bar.x),
+                                      at->wy * (2 * X.y * u_bar - at->G * N_bar.y), w_bar};
+    return (struct normal_adjoint){point, G_bar - at->K * at->w * f_bar, -at->c * at->w * f_bar,
+                                   w_bar, slope_bar};
 }
 
 INLINE void kernel_adjoint_put(struct ray_block *block, int i, struct lane_vector a,
@@ -150,6 +150,24 @@ INLINE void kernel_adjoint_put_series(const struct adjoint_rows *rows, int terms
     kernel_adjoint_put_terms(rows->coefficient, terms, 1, lanes, of);
 }
 
+/*
+ * A surface that moves by itself, rays at rest. Shifted by e, F at the ray grows by N.e and the
+ * normal there is that at X - e; turned by w about the vertex, as by w x X, and N turns too:
+ * (share N - v).e and (X x (share N - v) + N x N_bar).w, v what the normal gave to a. The change
+ * of the rays' own adjoints, which says the same, loses all digits of a flat or idle surface.
+ */
+INLINE void kernel_adjoint_put_motion(const struct adjoint_motion *motion, int i,
+                                      struct lane_vector shift, struct lane_vector turn)
+{
+    double *restrict rows = motion->rows;
+    for (int k = 0; k < 3; k++) {
+        const double *e = motion->shift + 3 * k, *axis = motion->turn + 3 * k;
+        const int at = k < 2 ? k : 5;
+        rows[at * RAYS_BLOCK + i] = e[0] * shift.x + e[1] * shift.y + e[2] * shift.z;
+        rows[(2 + k) * RAYS_BLOCK + i] = axis[0] * turn.x + axis[1] * turn.y + axis[2] * turn.z;
+    }
+}
+
 /* Kinds of a surface as far as derivatives are concerned. */
 enum depth { DEPTH_SPHERE, DEPTH_CONIC, DEPTH_SERIES, DEPTH_ODD };
 
@@ -169,8 +187,10 @@ INLINE struct even_series shape_series(const struct step *s, enum depth depth, i
 INLINE void
 kernel_adjoint_surface(const struct step *restrict s, const struct ray_block *restrict before,
                        const struct ray_block *restrict after, struct ray_block *restrict adjoint,
-                       const struct adjoint_rows *rows, enum depth depth, int terms, bool reflects)
+                       const struct adjoint_rows *rows, enum depth depth, bool reflects, bool moves)
 {
+    const int terms = depth >= DEPTH_SERIES ? STEP_TERMS : 0;
+    const struct adjoint_motion motion = moves ? *rows->motion : (struct adjoint_motion){.rows = 0};
     const double c = s->c, K = s->one_k, dn = s->dn, n11 = s->n11, t = s->t;
     const double wx = depth == DEPTH_SPHERE ? 1 : s->weight_x;
     const double wy = depth == DEPTH_SPHERE ? 1 : s->weight_y;
@@ -198,7 +218,8 @@ kernel_adjoint_surface(const struct step *restrict s, const struct ray_block *re
             M = kernel_adjoint_dot(N, N);
             inverse = 1 / M;
         }
-        double g = (E - D) * inverse, over = 1 / E;
+        /* what does not bend has no share at all, not that of rounding */
+        double g = reflects || dn != 0 ? (E - D) * inverse : 0, over = 1 / E;
         double D_bar = reflects ? -2 * g_bar * inverse : -g_bar * g * over;
         double n_bar = reflects ? 0 : 0.5 * g_bar * over; /* of dn */
         struct lane_vector N_bar = {g * b.x, g * b.y, g * b.z};
@@ -208,13 +229,21 @@ kernel_adjoint_surface(const struct step *restrict s, const struct ray_block *re
             double M_bar = (n_bar * dn - g_bar * g) * inverse;
             N_bar = plus(N_bar, 2 * M_bar, N);
         }
-        struct normal_adjoint bars = through_normal(&a, X, N_bar, &at);
+        struct normal_adjoint bars = through_normal(X, N_bar, &at);
+        a = plus(a, 1, bars.point);
         /* the point as where the ray meets the surface: X = X0 + d p, F = 0 */
         X0.z -= t;
         double d = kernel_adjoint_dot(plus(X, -1, X0), p) / n11,
                share = (kernel_adjoint_dot(a, p) + path * n11) / D;
         bars.c += share * 0.5 * (u + K * w * w);
         bars.k += share * 0.5 * c * w * w;
+        if (moves) {
+            const struct lane_vector shift = {
+                share * N.x - bars.point.x, share * N.y - bars.point.y, share * N.z - bars.point.z};
+            const struct lane_vector turn =
+                plus(kernel_adjoint_cross(X, shift), 1, kernel_adjoint_cross(N, N_bar));
+            kernel_adjoint_put_motion(&motion, i, shift, turn);
+        }
         a = plus(a, -share, N);
         b = plus(b, d, a);
         if (depth >= DEPTH_SERIES) {
@@ -261,11 +290,30 @@ static void adjoint_move(const struct step *s, struct ray_block *adjoint,
 }
 
 /* A thick lens has no derivatives here: NaN, so that nobody takes them for numbers. */
-static void no_derivatives(struct ray_block *adjoint)
+static void no_derivatives(struct ray_block *adjoint, const struct adjoint_motion *motion)
 {
     for (int i = 0; i < RAYS_BLOCK; i++) {
         adjoint->x[i] = adjoint->y[i] = adjoint->z[i] = (double)NAN;
         adjoint->p[i] = adjoint->q[i] = adjoint->r[i] = (double)NAN;
+    }
+    for (int i = 0; motion != NULL && i < 6 * RAYS_BLOCK; i++) {
+        motion->rows[i] = (double)NAN;
+    }
+}
+
+INLINE void kernel_adjoint_of_depth(const struct step *s, const struct ray_block *before,
+                                    const struct ray_block *after, struct ray_block *adjoint,
+                                    const struct adjoint_rows *rows, enum depth depth)
+{
+    const bool reflects = s->action == ACTION_REFLECT, moves = rows->motion != NULL;
+    if (reflects && moves) {
+        kernel_adjoint_surface(s, before, after, adjoint, rows, depth, true, true);
+    } else if (reflects) {
+        kernel_adjoint_surface(s, before, after, adjoint, rows, depth, true, false);
+    } else if (moves) {
+        kernel_adjoint_surface(s, before, after, adjoint, rows, depth, false, true);
+    } else {
+        kernel_adjoint_surface(s, before, after, adjoint, rows, depth, false, false);
     }
 }
 
@@ -273,77 +321,17 @@ void NAME(kernel_adjoint, KERNEL)(const struct step *s, const struct ray_block *
                                   const struct ray_block *after, struct ray_block *adjoint,
                                   const struct adjoint_rows *rows)
 {
-    bool reflects = s->action == ACTION_REFLECT;
     if (s->kind == STEP_MOVE) {
         adjoint_move(s, adjoint, rows);
     } else if (s->kind == STEP_THICK) {
-        no_derivatives(adjoint);
+        no_derivatives(adjoint, rows->motion);
     } else if (rows->odd != NULL) {
-        if (reflects) {
-            kernel_adjoint_surface(s, before, after, adjoint, rows, DEPTH_ODD, STEP_TERMS, true);
-        } else {
-            kernel_adjoint_surface(s, before, after, adjoint, rows, DEPTH_ODD, STEP_TERMS, false);
-        }
+        kernel_adjoint_of_depth(s, before, after, adjoint, rows, DEPTH_ODD);
     } else if (rows->coefficient != NULL) {
-        if (reflects) {
-            kernel_adjoint_surface(s, before, after, adjoint, rows, DEPTH_SERIES, STEP_TERMS, true);
-        } else {
-            kernel_adjoint_surface(s, before, after, adjoint, rows, DEPTH_SERIES, STEP_TERMS,
-                                   false);
-        }
+        kernel_adjoint_of_depth(s, before, after, adjoint, rows, DEPTH_SERIES);
     } else if (rows->conic != NULL) {
-        if (reflects) {
-            kernel_adjoint_surface(s, before, after, adjoint, rows, DEPTH_CONIC, 0, true);
-        } else {
-            kernel_adjoint_surface(s, before, after, adjoint, rows, DEPTH_CONIC, 0, false);
-        }
-    } else if (reflects) {
-        kernel_adjoint_surface(s, before, after, adjoint, rows, DEPTH_SPHERE, 0, true);
+        kernel_adjoint_of_depth(s, before, after, adjoint, rows, DEPTH_CONIC);
     } else {
-        kernel_adjoint_surface(s, before, after, adjoint, rows, DEPTH_SPHERE, 0, false);
+        kernel_adjoint_of_depth(s, before, after, adjoint, rows, DEPTH_SPHERE);
     }
-}
-
-/*
- * Shift and turn of a surface by itself: rays see the contrary before it, and the shift and turn
- * themselves behind it. Shift: a' - a; turn: X' x a' + p' x b' - X x a - p x b, X from the vertex.
- */
-INLINE void kernel_adjoint_displace(const struct displace *all,
-                                    const struct ray_block *restrict front,
-                                    const struct ray_block *restrict behind,
-                                    const struct ray_block *restrict adjoint,
-                                    const struct ray_block *restrict adjoint_behind,
-                                    double *restrict rows)
-{
-    const struct lane_vector at = {all->shift[0], all->shift[1], 0};
-    const struct lane_vector first = {all->axes[0], all->axes[1], all->axes[2]};
-    const struct lane_vector second = {all->axes[3], all->axes[4], all->axes[5]};
-    const struct lane_vector third = {all->axes[6], all->axes[7], all->axes[8]};
-    const double t = all->t;
-    const int lanes = all->lanes;
-    for (int i = 0; i < LANES_OF(lanes); i++) {
-        struct lane_vector a = kernel_adjoint_point_of(adjoint_behind, i),
-                           a0 = kernel_adjoint_point_of(adjoint, i);
-        struct lane_vector b = kernel_adjoint_direction_of(adjoint_behind, i),
-                           b0 = kernel_adjoint_direction_of(adjoint, i);
-        struct lane_vector X = plus(kernel_adjoint_point_of(behind, i), -1, at),
-                           p = kernel_adjoint_direction_of(behind, i);
-        struct lane_vector X0 = plus(kernel_adjoint_point_of(front, i), -1, at),
-                           p0 = kernel_adjoint_direction_of(front, i);
-        X0.z -= t;
-        struct lane_vector turn = plus(kernel_adjoint_cross(X, a), 1, kernel_adjoint_cross(p, b));
-        turn = plus(plus(turn, -1, kernel_adjoint_cross(X0, a0)), -1, kernel_adjoint_cross(p0, b0));
-        rows[i] = a.x - a0.x;
-        rows[RAYS_BLOCK + i] = a.y - a0.y;
-        rows[2 * RAYS_BLOCK + i] = kernel_adjoint_dot(first, turn);
-        rows[3 * RAYS_BLOCK + i] = kernel_adjoint_dot(second, turn);
-        rows[4 * RAYS_BLOCK + i] = kernel_adjoint_dot(third, turn);
-        rows[5 * RAYS_BLOCK + i] = a.z - a0.z;
-    }
-}
-
-void NAME(kernel_displace, KERNEL)(const struct displace *all)
-{
-    kernel_adjoint_displace(all, all->front, all->behind, all->adjoint, all->adjoint_behind,
-                            all->rows);
 }
