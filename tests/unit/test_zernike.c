@@ -45,6 +45,16 @@ static void test_orders(void)
     check_term(ZERNIKE_FRINGE, 49, 50, 7, 7);
 }
 
+/* Beside the axis of y: 3 x y^2 - x^3 and 2 x y (3 - 4 r^2) of so small x lose no digit. */
+static void test_beside_axis(void)
+{
+    const double x = 2.7977389686314596e-05, y = -0.75, r2 = x * x + y * y;
+    double values[24];
+    zernike_fill(ZERNIKE_FRINGE, 24, x, y, values);
+    CHECK_RELATIVE(values[9], x * (x * x - 3 * y * y), 4e-16, "trefoil");
+    CHECK_RELATIVE(values[12], 2 * x * y * (4 * r2 - 3), 2e-15, "secondary astigmatism");
+}
+
 /* By hand: 6 r^4 - 6 r^2 + 1, (3 r^3 - 2 r) sin, r^2 sin(2 angle). */
 static void test_closed(void)
 {
@@ -103,6 +113,7 @@ static void test_orthonormal(void)
 int main(void)
 {
     test_orders();
+    test_beside_axis();
     test_closed();
     test_edge();
     test_orthonormal();

@@ -51,12 +51,20 @@ struct zernike_term zernike_term(enum zernike_kind kind, size_t i)
 void zernike_fill(enum zernike_kind kind, size_t count, double x, double y, double *values)
 {
     double radial[ZERNIKE_ORDER + 1][ZERNIKE_ORDER + 1]; /* by m, then n */
-    const double r = hypot(x, y), angle = atan2(y, x);
+    double turn[ZERNIKE_ORDER + 1][2];                   /* cos(m angle), sin(m angle) */
+    const double r = hypot(x, y), c = r > 0 ? x / r : 1, s = r > 0 ? y / r : 0;
     int order = 0, most = 0;
     for (size_t i = 0; i < count; i++) {
         const struct zernike_term term = zernike_term(kind, i);
         order = term.n > order ? term.n : order;
         most = abs(term.m) > most ? abs(term.m) : most;
+    }
+    /* powers of x + iy: beside an axis they keep the digits that an angle has not */
+    turn[0][0] = 1;
+    turn[0][1] = 0;
+    for (int m = 1; m <= most; m++) {
+        turn[m][0] = turn[m - 1][0] * c - turn[m - 1][1] * s;
+        turn[m][1] = turn[m - 1][1] * c + turn[m - 1][0] * s;
     }
     for (int m = 0; m <= most; m++) {
         /* R_n^m(r) of one m, for n = m, m + 2 .. most. */
@@ -79,7 +87,6 @@ void zernike_fill(enum zernike_kind kind, size_t count, double x, double y, doub
         const int m = abs(term.m);
         const double square = (m == 0 ? 1.0 : 2.0) * (term.n + 1);
         const double length = kind == ZERNIKE_FRINGE ? 1 : sqrt(square);
-        const double turn = term.m < 0 ? sin(m * angle) : cos(m * angle);
-        values[i] = length * radial[m][term.n] * turn;
+        values[i] = length * radial[m][term.n] * turn[m][term.m < 0];
     }
 }
