@@ -153,18 +153,7 @@ bool conjugates_exposure(double N, double m, double P, struct conjugates_exposur
         !check_positive("pupil magnification", "", P, error)) {
         return false;
     }
-    double ratio = 1 + m / P;
-    if (!(ratio <= 1e150)) {
-        return fail(error, ERROR_DOMAIN,
-                    "{the magnification} %g is out of range: at most 1e150 times "
-                    "{the pupil magnification} %g",
-                    m, P);
-    }
-    if (!(N * ratio < 1e300)) {
-        return fail(error, ERROR_DOMAIN,
-                    "{f-number} %g is out of range: with {magnification} %g it must be below %g", N,
-                    m, 1e300 / ratio);
-    }
+    const double ratio = 1 + m / P;
     *result = (struct conjugates_exposure){
         .working_fnumber = N * ratio, .factor = ratio * ratio, .stops = 2 * log1p(m / P) / log(2)};
     return true;

@@ -66,7 +66,7 @@ bool conjugates_solve(const struct conjugates_given *given, struct conjugates *r
  * Given     N  f-number as marked, > 0
  *           m  magnification, >= 0
  *           P  pupil magnification, exit/entrance diameter, > 0; reversed lens: N/P and 1/P;
- *              m/P at most 1e150, and N (1 + m/P) below 1e300
+ *              beyond the range of photo/given.h
  * Formula   N_eff = N (1 + m/P), factor (1 + m/P)^2, stops 2 log2(1 + m/P)
  * Source    Kingslake, Optics in Photography (1992); Bigler, quoted in test_conjugate.c
  * Errors    values outside the ranges above

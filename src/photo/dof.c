@@ -23,6 +23,9 @@ static bool dof_refuse(const struct dof_setting *a, struct error *error)
         !check_positive("pupil magnification", "", a->P, error)) {
         return false;
     }
+    if (isfinite(a->s) && a->s > GIVEN_MOST) {
+        return check_positive("distance", " mm", a->s, error);
+    }
     if (isnan(a->s)) {
         return fail(error, ERROR_DOMAIN, "{distance} is not a number; it must be above %.15g mm",
                     a->f);
@@ -34,8 +37,9 @@ static bool dof_refuse(const struct dof_setting *a, struct error *error)
 
 static bool legal(const struct dof_setting *a)
 {
-    return a->f > 0 && a->N > 0 && a->c >= 0 && a->P > 0 && a->s > a->f && a->f < INFINITY &&
-           a->N < INFINITY && a->c < INFINITY && a->P < INFINITY;
+    return a->f >= GIVEN_LEAST && a->N >= GIVEN_LEAST && (a->c >= GIVEN_LEAST || a->c == 0) &&
+           a->P >= GIVEN_LEAST && a->s > a->f && a->f <= GIVEN_MOST && a->N <= GIVEN_MOST &&
+           a->c <= GIVEN_MOST && a->P <= GIVEN_MOST && (a->s <= GIVEN_MOST || a->s == INFINITY);
 }
 
 static bool refuse_range(const struct dof_setting *a, struct error *error)

@@ -45,7 +45,8 @@ struct dof {
 /*
  * Is this a situation that can be photographed?
  *
- * Errors    f, N or P not above 0 or not finite; c below 0 or not finite; s <= f (no real image)
+ * Errors    f, N or P not above 0 or not finite; c below 0 or not finite; s <= f (no real image);
+ *           a number beyond the range of photo/given.h
  */
 bool dof_check(const struct dof_setting *setting, struct error *error);
 

@@ -167,7 +167,8 @@ bool exposure_solve(const struct exposure_given *given, struct exposure *x, stru
     /* The exposure equation in stops: ev_set = ev100 + log2(S/100) - less. */
     double less = g.loss + g.compensation, kept = exp2(-less);
     double speed = log2(g.S) - log2_of_100;
-    double light = x->unknown == EXPOSURE_LIGHT ? (double)NAN : light_ratio(&g);
+    double light =
+        x->unknown == EXPOSURE_LIGHT ? g.N * g.N / g.t / (kept * (g.S / 100)) : light_ratio(&g);
     x->N = g.N;
     x->t = g.t;
     x->S = g.S;
@@ -183,8 +184,8 @@ bool exposure_solve(const struct exposure_given *given, struct exposure *x, stru
         x->S = 100 * (g.N * g.N / g.t / (light * kept));
     }
     x->ev = x->ev100 + (log2(x->S) - log2_of_100);
-    x->L = is_given(g.L) ? g.L : g.K * power_of_two(x->ev100) / 100;
-    x->E = is_given(g.E) ? g.E : g.C * power_of_two(x->ev100) / 100;
+    x->L = is_given(g.L) ? g.L : g.K * light / 100;
+    x->E = is_given(g.E) ? g.E : g.C * light / 100;
     x->Av = 2 * log2(x->N);
     x->Tv = -log2(x->t);
     x->Sv = log2(x->S) - log2_of_3_125;

@@ -23,23 +23,45 @@ static bool given_is_positive(double value)
     return value > 0 && isfinite(value);
 }
 
+static bool given_is_in_range(double value)
+{
+    return value >= GIVEN_LEAST && value <= GIVEN_MOST;
+}
+
+/* Beyond the range that numbers are taken in; false. */
+static bool given_refuse_range(const char *name, const char *unit, double value,
+                               struct error *error)
+{
+    return fail(error, ERROR_DOMAIN, "{%s} %.10g%s is out of range: %g to %g%s", name, value, unit,
+                copysign(value < 0 ? GIVEN_MOST : GIVEN_LEAST, value),
+                copysign(value < 0 ? GIVEN_LEAST : GIVEN_MOST, value), unit);
+}
+
 bool check_positive(const char *name, const char *unit, double value, struct error *error)
 {
-    return given_is_positive(value) ||
-           fail(error, ERROR_DOMAIN, "{%s} %.10g%s must be above 0 and finite", name, value, unit);
+    if (!given_is_positive(value)) {
+        return fail(error, ERROR_DOMAIN, "{%s} %.10g%s must be above 0 and finite", name, value,
+                    unit);
+    }
+    return given_is_in_range(value) || given_refuse_range(name, unit, value, error);
 }
 
 bool check_not_negative(const char *name, const char *unit, double value, struct error *error)
 {
-    return (value >= 0 && isfinite(value)) ||
-           fail(error, ERROR_DOMAIN, "{%s} %.10g%s must be 0 or more and finite", name, value,
-                unit);
+    if (!(value >= 0 && isfinite(value))) {
+        return fail(error, ERROR_DOMAIN, "{%s} %.10g%s must be 0 or more and finite", name, value,
+                    unit);
+    }
+    return value == 0 || given_is_in_range(value) || given_refuse_range(name, unit, value, error);
 }
 
 bool check_finite(const char *name, const char *unit, double value, struct error *error)
 {
-    return isfinite(value) ||
-           fail(error, ERROR_DOMAIN, "{%s} %.10g%s must be finite", name, value, unit);
+    if (!isfinite(value)) {
+        return fail(error, ERROR_DOMAIN, "{%s} %.10g%s must be finite", name, value, unit);
+    }
+    return value == 0 || given_is_in_range(fabs(value)) ||
+           given_refuse_range(name, unit, value, error);
 }
 
 bool given_positive(const struct given *numbers, int count, struct error *error)
@@ -60,6 +82,9 @@ bool given_above_0(const struct given *numbers, int count, struct error *error)
         if (numbers[i].value <= 0) {
             return fail(error, ERROR_DOMAIN, "{%s} %.10g%s must be above 0", numbers[i].name,
                         numbers[i].value, numbers[i].unit);
+        }
+        if (isfinite(numbers[i].value) && !given_is_in_range(numbers[i].value)) {
+            return given_refuse_range(numbers[i].name, numbers[i].unit, numbers[i].value, error);
         }
     }
     return true;

@@ -161,6 +161,8 @@ static const struct refusal {
     {{NONE, (double)INFINITY, NONE, 0, NONE, 0, CONJUGATES_REDUCED}, ERROR_DOMAIN, "leaves"},
     {{NONE, NONE, NONE, 0, 400, 0, CONJUGATES_REDUCED}, ERROR_DOMAIN, "leaves"},
     {{50, NONE, NONE, 1, NONE, NONE, CONJUGATES_REDUCED}, ERROR_DOMAIN, "hiatus"},
+    /* v/s would be infinite, and f m no number */
+    {{NONE, 1e-200, 1e171, NONE, NONE, 0, CONJUGATES_REDUCED}, ERROR_DOMAIN, "out of range"},
     {{50, NONE, NONE, NONE, NONE, 0, CONJUGATES_REDUCED}, ERROR_USAGE, "exactly two"},
     {{50, 100, 100, NONE, NONE, 0, CONJUGATES_REDUCED}, ERROR_USAGE, "exactly two"},
     {{NONE, NONE, NONE, NONE, NONE, 0, CONJUGATES_REDUCED}, ERROR_USAGE, "sensor distance"},

@@ -307,6 +307,11 @@ static void test_refusals(void)
         {{50, 4, 0.03, 400, 0}, "pupil magnification 0 must be above 0 and finite"},
         {{50, 4, 0.03, NAN, 1}, "distance is not a number; it must be above 50 mm"},
         {{INFINITY, 4, 0.03, INFINITY, 1}, "focal length inf mm must be above 0 and finite"},
+        /* N c would be 0 */
+        {{7e-173, 1e-172, 1e-172, 2e-172, 1},
+         "focal length 7e-173 mm is out of range: 1e-30 to "
+         "1e+30 mm"},
+        {{50, 4, 0.03, 1e31, 1}, "distance 1e+31 mm is out of range: 1e-30 to 1e+30 mm"},
     };
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         struct error error = {0};

@@ -135,10 +135,10 @@ static void test_exposure_parts(void)
             "steps of the series 0 steps a stop lies outside 1 to 12 steps a stop");
     OUTSIDE(exposure_equivalent(5, 1, 13, &line, &error),
             "steps of the series 13 steps a stop lies outside 1 to 12 steps a stop");
-    /* an answer that no number holds: f/1e160 squared */
+    /* whose square no number holds */
     struct exposure x;
     OUTSIDE(exposure_solve(GIVEN(.N = 1e160, .ev100 = 0), &x, &error),
-            "the exposure time comes out as inf: the given numbers are out of all proportion");
+            "f-number 1e+160 is out of range: 1e-30 to 1e+30");
 }
 
 /* Losses of one and two kinds; log2 of exact powers. */

@@ -162,7 +162,7 @@ static void test_properties(void)
         }
     }
     struct reciprocity film = load(BOND);
-    for (int e = -300; e <= 300; e += 10) {
+    for (int e = -29; e <= 29; e++) {
         double Tm = NAN, Tc = NAN;
         CHECK(reciprocity_metered(&film, pow(10, e), &Tm, &error));
         CHECK(reciprocity_corrected(&film, Tm, &Tc, &error));
