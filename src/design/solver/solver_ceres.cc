@@ -222,6 +222,45 @@ engine_end end_of(ceres::TerminationType type)
     }
 }
 
+/*
+ * Has it ended on a slope? Where the trust region shrinks to nothing, or its steps become too short
+ * to count, Ceres calls that convergence. At a minimum no column of the derivatives has a share of
+ * the residuals, or they are nothing, or the column is: the end of a plateau. On a
+ * bound rounds go on.
+ */
+bool is_stuck(const ceres::Solver::Summary &summary, std::vector<double> *parameters,
+              ceres::Problem *problem)
+{
+    std::vector<double> residuals, gradient;
+    ceres::CRSMatrix jacobian;
+    double cost = 0, square = 0;
+    if (summary.termination_type != ceres::CONVERGENCE ||
+        !problem->Evaluate({}, &cost, &residuals, &gradient, &jacobian) ||
+        !(cost > 1e-20 * summary.initial_cost)) {
+        return false;
+    }
+    for (double residual : residuals) {
+        square += residual * residual;
+    }
+    std::vector<double> slope(gradient.size(), 0);
+    for (size_t i = 0; i < jacobian.values.size(); i++) {
+        slope[static_cast<size_t>(jacobian.cols[i])] += jacobian.values[i] * jacobian.values[i];
+    }
+    bool is_sloping = false;
+    for (size_t j = 0; j < gradient.size(); j++) {
+        const double at = (*parameters)[j], g = std::fabs(gradient[j]), x = std::fabs(at);
+        const int k = static_cast<int>(j);
+        if (at <= problem->GetParameterLowerBound(parameters->data(), k) ||
+            at >= problem->GetParameterUpperBound(parameters->data(), k)) {
+            return false;
+        }
+        const bool counts = slope[j] * x * x > 1e-18 * square;
+        is_sloping =
+            is_sloping || (counts && g * g > 1e-6 * square * slope[j] && g > 1e-6 * x * slope[j]);
+    }
+    return is_sloping;
+}
+
 void minimize(engine_run *run)
 {
     Model model(run);
@@ -251,7 +290,8 @@ void minimize(engine_run *run)
     options.callbacks.push_back(&watch);
     ceres::Solver::Summary summary;
     ceres::Solve(options, &problem, &summary);
-    run->end = end_of(summary.termination_type);
+    run->end =
+        is_stuck(summary, &parameters, &problem) ? ENGINE_FAILED : end_of(summary.termination_type);
     run->iterations = static_cast<int>(summary.iterations.size());
     run->iterations -= run->iterations > 0;
     snprintf(run->message, sizeof run->message, "%s", summary.message.c_str());
