@@ -6,7 +6,8 @@
 #   dist       a source archive                      format     clang-format over the sources
 #   fuzz       long fuzzing: SECONDS=600 JOBS=2      clean      remove build/
 #   faults     memory, reading and writing fail call by call: every command
-#   stress     the worst errors where arithmetic is hardest: SECONDS=60 SEED=1
+#   stress     the worst errors where arithmetic is hardest: SECONDS=60 SEED=1;
+#              FAMILY=rays of one kind, NUMBER=7 of one trial
 #   validate   what the tests find of values from outside: build/validate.tsv, the page, README
 #   survey     printed errors of every lens and field of lensdb against outside sums: an hour or two
 #   coverage   lines and branches that the fast tests reach, by folder
@@ -205,17 +206,22 @@ $(BUILD)/replay: tests/fuzz/replay.c $(targets) $(objects) $(solver_$(CERES)) $(
 	$(Q)$(link_$(CERES)) $(LDFLAGS) -o $@ $(BUILD)/fuzz/replay.o $(filter %.o,$^) $(libs_$(CERES)) -lm
 
 # The programs that bench, stress, faults, mutate and truth link when they run: a change of what they
-# call shows at once. One of them wants a header that gcc alone has.
-quadmath = $(if $(findstring stress_paraxial,$@),printf '\043include <quadmath.h>\n' | \
-               $(CC) -E -x c - > /dev/null 2>&1 || { touch $@; exit 0; };)
+# call shows at once.
 programs := $(patsubst tests/%.c,$(BUILD)/programs/%.o,$(filter-out tests/unit/% tests/ceres/% \
                 tests/fuzz/%,$(wildcard tests/*/*.c)))
 $(BUILD)/programs/%.o: tests/%.c $(BUILD)/flags
 	@mkdir -p $(@D)
 	@echo test $<
-	$(Q)$(quadmath) $(CC) $(ALL_CFLAGS) -MMD -MP -c -o $@ $<
+	$(Q)$(CC) $(ALL_CFLAGS) -MMD -MP -c -o $@ $<
 
 programs: $(programs)
+
+# random trials, with what they are to be compared with
+trials := $(patsubst tests/%.c,$(BUILD)/programs/%.o,$(wildcard tests/stress/*.c))
+$(BUILD)/stress/trials: $(trials) $(objects) $(solver_$(CERES)) $(BUILD)/objects $(BUILD)/linked
+	@mkdir -p $(@D)
+	@echo link $@
+	$(Q)$(link_$(CERES)) $(LDFLAGS) -o $@ $(filter %.o,$^) $(libs_$(CERES)) -lm
 
 -include $(patsubst %.o,%.d,$(BUILD)/main.o $(objects) $(alone) $(ceres)) $(addsuffix .d,$(units)) $(targets:.o=.d) \
          $(programs:.o=.d)
@@ -238,7 +244,7 @@ demo:
 # one build and all fast tests
 check:
 	@tests/deps $(check_packages)
-	@$(MAKE) -s all programs $(units) $(BUILD)/replay
+	@$(MAKE) -s all programs $(units) $(BUILD)/replay $(BUILD)/stress/trials
 	@tests/run $(BUILD)
 
 # everything that has an end: other compiler, sanitizers, valgrind, short fuzzing
@@ -261,8 +267,8 @@ faults: deps
 	@$(MAKE) -s BUILD=$(BUILD)/dynamic STATIC=0 all
 	@tests/faults/run $(BUILD)/dynamic
 
-stress: all
-	@tests/stress/run $(SECONDS) $(BUILD) $(SEED)
+stress: all $(BUILD)/stress/trials
+	@tests/stress/run $(SECONDS) $(BUILD) $(SEED) "$(FAMILY)" $(NUMBER)
 
 validate:
 	@tests/deps $(check_packages)
