@@ -350,17 +350,14 @@ static double light_to_ends(const struct lens_film *film, const double at[2], si
     return sum / FILM_SECTORS;
 }
 
-double lens_film_light(const struct lens_film *film, const double at[2], size_t wavelength,
-                       size_t blocks, struct film_samples *samples, const struct rays *rays)
+/* The same by scattered rays, whatever the pupil is. */
+static double light_of_scattered(const struct lens_film *film, const double at[2],
+                                 size_t wavelength, size_t blocks, struct film_samples *samples,
+                                 const struct rays *rays)
 {
     const struct film_plan plan = {
         .sobol = film->sobol, .scrambling = {1, 2, 3, 4}, .left = at[0], .bottom = at[1]};
-    const bool is_plain = film->shutter == NULL && !film->region.has_hole;
-    double sum = is_plain ? light_to_ends(film, at, wavelength, samples, rays) : (double)NAN;
-    if (isfinite(sum)) {
-        return sum;
-    }
-    sum = 0;
+    double sum = 0;
     for (uint32_t block = 0; block < blocks; block++) {
         film_rays_plan(&plan, NULL, block, SET_BEST, samples);
         lens_film_start(film, samples, rays->blocks);
@@ -370,6 +367,16 @@ double lens_film_light(const struct lens_film *film, const double at[2], size_t 
         }
     }
     return sum / (double)(blocks * RAYS_BLOCK);
+}
+
+double lens_film_light(const struct lens_film *film, const double at[2], size_t wavelength,
+                       size_t blocks, struct film_samples *samples, const struct rays *rays)
+{
+    const bool is_plain = film->shutter == NULL && !film->region.has_hole;
+    const double light =
+        is_plain ? light_to_ends(film, at, wavelength, samples, rays) : (double)NAN;
+    return isfinite(light) ? light
+                           : light_of_scattered(film, at, wavelength, blocks, samples, rays);
 }
 
 double lens_film_open_share(const struct lens_film *film, size_t wavelengths, struct arena *arena)
@@ -382,8 +389,9 @@ double lens_film_open_share(const struct lens_film *film, size_t wavelengths, st
     double share = 0;
     open.shutter = NULL;
     for (size_t w = 0; w < wavelengths; w++) {
-        share += lens_film_light(film, at, w, BLOCKS, &samples, &rays) /
-                 lens_film_light(&open, at, w, BLOCKS, &samples, &rays);
+        /* the same rays with and without the shutter */
+        share += light_of_scattered(film, at, w, BLOCKS, &samples, &rays) /
+                 light_of_scattered(&open, at, w, BLOCKS, &samples, &rays);
     }
     return share / (double)wavelengths;
 }
