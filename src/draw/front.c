@@ -55,6 +55,8 @@ static bool front_find_range(struct front_drawing *drawing)
             y->high = fmax(y->high, point->y);
         }
     }
+    /* room for labels above the worst of them */
+    y->high *= pow(10, 0.06 * log10(y->high / y->low));
     return y->high > 0;
 }
 
@@ -169,7 +171,7 @@ static void front_draw_group(struct front_drawing *drawing, size_t group)
 /* Beside its point, or farther away with a line to it. */
 static void front_put_label(struct front_drawing *drawing, const struct front_point *point)
 {
-    static const double gaps[] = {5.9, 14, 24, 36};
+    static const double gaps[] = {5.9, 14, 24, 36, 50};
     const struct svg_label at = {.x = plot_page_at(&drawing->x, point->x),
                                  .y = plot_page_at(&drawing->y, point->y),
                                  .size = LABEL_SIZE,
