@@ -152,6 +152,27 @@ static void test_lost(void)
     }
 }
 
+/* What is looked at in vain counts by how long it takes: a ray that misses an asphere takes a
+   hundred times as long as one that misses a ball, being looked for all along its way. */
+static void test_work(void)
+{
+    static const char *const texts[] = {
+        "object inf\naperture stop\nsurface 1e-3 1 air 0.002\nstop - 10 air 1\n",
+        "object inf\naperture stop\nsurface 1e-3 1 air 0.002 A4=1e-9\nstop - 10 air 1\n"};
+    size_t sought[2];
+    for (size_t i = 0; i < 2; i++) {
+        struct arena arena = {0};
+        struct opened opened;
+        struct aim aim = {0};
+        struct error error = {0};
+        open_text(texts[i], &arena, &opened);
+        CHECK(!open_aim(&opened, 0, 30 * degree, &arena, &aim, &error));
+        sought[i] = aim.sought;
+        arena_free(&arena);
+    }
+    CHECK(sought[0] > 0 && sought[1] > 20 * sought[0] && sought[1] < 100 * sought[0]);
+}
+
 /*
  * A front that is bent so much that three rays of a field go through the centre of the stop, and
  * two of them alike: the one nearer to the paraxial ray is meant. Places and angles by rays from
@@ -485,6 +506,7 @@ int main(void)
     test_open_at();
     test_straight();
     test_lost();
+    test_work();
     test_several();
     test_slope_at_edge();
     test_wall();

@@ -20,7 +20,7 @@ struct setup_beam_search {
     double at[2];                      /* far: the angle, towards (x, y); near: mm */
     double miss[2];                    /* what is left of the goal, mm */
     struct aim_near near;              /* the chief ray looked at last */
-    size_t sought;                     /* rays in search of chief rays, times their surfaces */
+    size_t sought;                     /* in search of chief rays, as aim.sought */
     struct error lost;                 /* why a chief ray was not found last */
 };
 
@@ -161,8 +161,9 @@ static bool setup_beam_begin(struct setup_beam_search *search)
 {
     enum { TRIES = 24 };
     const struct first_order *first = &search->setup->first;
+    const bool is_centre = hypot(search->goal[0], search->goal[1]) == 0; /* none is nearer */
     double share = 1;
-    for (int try = 0; try < TRIES; try++, share *= 0.75) {
+    for (int try = 0; try < (is_centre ? 1 : TRIES); try++, share *= 0.75) {
         for (int i = 0; i < 2; i++) {
             const double height = share * search->goal[i];
             search->at[i] = search->setup->object.is_infinite

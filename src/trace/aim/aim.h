@@ -26,7 +26,8 @@ struct aim {
     enum ray_status lost; /* what most rays towards the centre of the stop are lost by then, */
     size_t lost_surface;  /* and where, 1-based */
     double stop_radius;   /* mm */
-    size_t sought;        /* rays looked at in search of the chief ray, times the surfaces each */
+    size_t sought;        /* rays looked at in search of the chief ray, times the surfaces each, of
+                             which aspheres count for several */
     struct rays work;     /* one block */
 };
 

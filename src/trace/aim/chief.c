@@ -47,6 +47,18 @@ static size_t places_to_stop(const struct aim *aim)
     return system_place(aim->system, aim->system->stop) + 1;
 }
 
+/* The same as work: an asphere is met in steps, and looked for on the way where these go astray. */
+static size_t work_to_stop(const struct aim *aim)
+{
+    enum { ASPHERE = 8 };
+    const struct lens *lens = aim->system->lens;
+    size_t work = places_to_stop(aim);
+    for (size_t i = 0; i <= aim->system->stop; i++) {
+        work += lens->surfaces[i].coefficients != 0 ? ASPHERE - 1 : 0;
+    }
+    return work;
+}
+
 static bool lane_arrived(const struct aim *aim, size_t lane)
 {
     return ray_block_status(aim->work.blocks, lane) == RAY_OK;
@@ -231,12 +243,20 @@ struct losses {
     enum ray_status status[256];
 };
 
-static void note_loss(const struct aim *aim, size_t lane, struct losses *losses)
+/* A ray that misses an asphere was looked for all along its way there, see trace/kernel/search.h:
+   it takes as long as so many surfaces. */
+enum { MISSED_ASPHERE = 64 };
+
+static void note_loss(struct aim *aim, size_t lane, struct losses *losses)
 {
-    size_t surface = ray_block_surface(aim->work.blocks, lane);
+    const size_t surface = ray_block_surface(aim->work.blocks, lane);
+    const enum ray_status status = ray_block_status(aim->work.blocks, lane);
     if (surface < 256) {
         losses->count[surface]++;
-        losses->status[surface] = ray_block_status(aim->work.blocks, lane);
+        losses->status[surface] = status;
+    }
+    if (status == RAY_MISS && aim->system->lens->surfaces[surface - 1].coefficients != 0) {
+        aim->sought += MISSED_ASPHERE;
     }
 }
 
@@ -255,7 +275,7 @@ static size_t scan_line(struct aim *aim, const struct chief_region *region,
     double at[RAYS_BLOCK][2], last = NAN, last_height = NAN;
     double low = region->low[1], step = (region->high[1] - low) / (double)(scan->samples - 1);
     struct crossings found = {.count = 0}, others = {.count = 0};
-    aim->sought += scan->samples * places_to_stop(aim);
+    aim->sought += scan->samples * work_to_stop(aim);
     for (size_t done = 0; done < scan->samples; done += RAYS_BLOCK) {
         for (size_t i = 0; i < RAYS_BLOCK; i++) {
             at[i][0] = aim->chief[0];
@@ -381,7 +401,7 @@ static bool scan_grid(struct aim *aim, const struct chief_region *region, size_t
 {
     const struct ray_block *block = aim->work.blocks;
     double best = INFINITY, rays[RAYS_BLOCK][2];
-    aim->sought += side * side * places_to_stop(aim);
+    aim->sought += side * side * work_to_stop(aim);
     for (size_t done = 0; done < side * side; done += RAYS_BLOCK) {
         for (size_t i = 0; i < RAYS_BLOCK; i++) {
             size_t cell[2] = {(done + i) % side, (done + i) / side};
