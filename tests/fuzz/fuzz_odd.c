@@ -162,7 +162,7 @@ static void question_write(struct page *page, const char *pattern, struct bytes 
     }
 }
 
-/* Files that a question made: no number of them is none, but of a map of waves beside its pupil. */
+/* All files are taken away; of those that a question made no number of them is none, but of a map of waves beside its pupil. */
 static void require_made(const char *question, struct arena *arena)
 {
     const struct text drawing = ask_take("svg", arena), picture = ask_take("pfm", arena);
@@ -176,8 +176,10 @@ static void require_made(const char *question, struct arena *arena)
         memcpy(&value, at, sizeof value);
         REQUIRE(isfinite(value) || (isnan(value) && strstr(question, "wavefront") != NULL));
     }
-    ask_take("json", arena);
-    ask_take("png", arena);
+    static const char *const others[] = {"json", "png", "lens", "scene", "map", "sky", "obj"};
+    for (size_t i = 0; i < sizeof others / sizeof others[0]; i++) {
+        ask_take(others[i], arena);
+    }
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
