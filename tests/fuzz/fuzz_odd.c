@@ -162,8 +162,8 @@ static void question_write(struct page *page, const char *pattern, struct bytes 
     }
 }
 
-/* All files are taken away. Of those that the question made no number is none, but of a map of waves
-   beside its pupil. */
+/* All files are taken away. Of those that the question made no number is none, but of a map of
+   waves beside its pupil. */
 static void require_made(const char *question, struct arena *arena)
 {
     const struct text drawing = ask_take("svg", arena), picture = ask_take("pfm", arena);
