@@ -71,8 +71,8 @@ void lens_film_trace(const struct lens_film *film, size_t wavelength, struct fil
  * E/L of a point of the film, sr, in the lens's last medium.
  *
  * Given     at      of the point, mm
- *           blocks  of rays, started as a picture's are: of a pupil with a hole or in pieces, or with
- *                   a shutter
+ *           blocks  of rays, started as a picture's are: of a pupil with a hole or in pieces, or
+ *                   with a shutter
  *           samples, rays  room for one of them
  * Formula   of all others Gauss's points along lines up to where light ends: 1e-5, 1e-4 where edges
  *           cross
