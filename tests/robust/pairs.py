@@ -76,7 +76,9 @@ OTHERS = {
     "glass": ("N-BK7 -w 500", "--nd 1.517 --vd 64", "--nd 1.5..1.52 --vd 64..66", "--like N-BK7",
               "--catalog SCHOTT --abbe out.svg"),
     "convert": ("double-gauss",),
-    "bench": ("../singlet.lens --degree 3", "../singlet.lens --quantity spot --rays 20 --degree 3"),
+    # without times, which are never the same twice
+    "bench": ("../singlet.lens --columns model,degree,rms_error,digits",
+              "../singlet.lens --quantity spot --rays 20 --columns model,degree,rms_error,digits"),
     "list": ("formats", "lenses", "glasses", "options"),
     "merge": ("../one.part -o out.png",),
     "fit": ("double-gauss --rays 8", "double-gauss --rays 8 --show parameters",
@@ -120,6 +122,7 @@ VALUES = {
     "rotation": "20deg/s", "track": "0.5", "stabiliser": "3", "readout": "1/30",
     "declination": "40deg", "trail": "20um", "rule": "400", "accuracy": "2", "frequency": "30",
     "pixels": "3", "defocus": "20um", "focus-spread": "0.1mm", "by": "width", "keep": "exposure",
+    "quantity/bench": "focus", "degree/bench": "5",
     "tilt": "4deg", "hinge": "1m", "through": "2m:0,5m:1m", "sight": "5deg", "rise": "3mm",
     "shift": "2mm", "circle": "60mm", "depth": "3m", "arc": "170deg", "span": "100deg",
     "elevation": "10deg", "per-row": "9", "rows": "4", "offset": "5mm", "tolerance": "2",

@@ -3,13 +3,13 @@
 #ifndef LENSCALC_CAMERA_FILM_LENS_FILM_H
 #define LENSCALC_CAMERA_FILM_LENS_FILM_H
 
+#include "analysis/model/lens_model.h"
 #include "analysis/setup/setup.h"
 #include "base/arena.h"
 #include "base/error.h"
 #include "base/sobol.h"
 #include "camera/film/acceptance.h"
 #include "camera/film/film_rays.h"
-#include "analysis/model/lens_model.h"
 #include "camera/sensor/shutter.h"
 #include "optics/blades.h"
 
