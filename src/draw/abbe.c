@@ -59,36 +59,11 @@ static void set_axis(struct plot_axis *axis, double least, double start, double 
     plot_axis_to_ticks(axis);
 }
 
-static void abbe_draw_grid(const struct abbe_drawing *drawing)
-{
-    const struct plot_axis *x = &drawing->x, *y = &drawing->y;
-    struct svg *svg = drawing->svg;
-    svg_group_begin(svg, &(struct svg_style){.stroke = "#dddddd", .width = 0.7});
-    for (size_t i = 0; i < x->ticks.count; i++) {
-        double at = plot_page_at(x, x->ticks.value[i]);
-        svg_line(svg, at, y->start, at, y->stop);
-    }
-    for (size_t i = 0; i < y->ticks.count; i++) {
-        double at = plot_page_at(y, y->ticks.value[i]);
-        svg_line(svg, x->start, at, x->stop, at);
-    }
-    svg_group_end(svg);
-    svg_styled_rect(svg, &(struct svg_style){.stroke = "#000000", .width = 1}, x->start, y->stop,
-                    x->stop - x->start, y->start - y->stop);
-}
-
 static void draw_numbers(const struct abbe_drawing *drawing)
 {
     const struct plot_axis *x = &drawing->x, *y = &drawing->y;
     struct svg *svg = drawing->svg;
-    for (size_t i = 0; i < x->ticks.count; i++) {
-        svg_words(svg, plot_page_at(x, x->ticks.value[i]), y->start + 18, NUMBER_SIZE, SVG_MIDDLE,
-                  NULL, ticks_text(svg->arena, &x->ticks, i));
-    }
-    for (size_t i = 0; i < y->ticks.count; i++) {
-        svg_words(svg, x->start - 8, plot_page_at(y, y->ticks.value[i]) + 4, NUMBER_SIZE, SVG_END,
-                  NULL, ticks_text(svg->arena, &y->ticks, i));
-    }
+    plot_axes_numbers(svg, x, y, NUMBER_SIZE);
     svg_words(svg, (x->start + x->stop) / 2, y->start + 42, AXIS_SIZE, SVG_MIDDLE, NULL,
               "Abbe number Vd");
     svg_words_upwards(svg, 20, (y->start + y->stop) / 2, AXIS_SIZE, "refractive index nd");
@@ -192,7 +167,7 @@ bool abbe_draw(const struct abbe *abbe, struct svg *svg, struct error *error)
         (struct svg_box){drawing.x.start, drawing.y.stop, drawing.x.stop, drawing.y.start};
     drawing.page.taken = ARENA_ARRAY(svg->arena, 2 * abbe->count + 1, struct svg_box);
     svg_begin(svg, ABBE_WIDTH, ABBE_HEIGHT, abbe->title);
-    abbe_draw_grid(&drawing);
+    plot_axes_grid(svg, &drawing.x, &drawing.y);
     draw_border(&drawing);
     draw_numbers(&drawing);
     draw_points(&drawing, false);

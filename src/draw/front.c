@@ -65,26 +65,8 @@ static void front_draw_frame(const struct front_drawing *drawing)
     const struct plot_axis *x = &drawing->x, *y = &drawing->y;
     const struct front *front = drawing->front;
     struct svg *svg = drawing->svg;
-    svg_group_begin(svg, &(struct svg_style){.stroke = "#dddddd", .width = 0.7});
-    for (size_t i = 0; i < x->ticks.count; i++) {
-        const double at = plot_page_at(x, x->ticks.value[i]);
-        svg_line(svg, at, y->start, at, y->stop);
-    }
-    for (size_t i = 0; i < y->ticks.count; i++) {
-        const double at = plot_page_at(y, y->ticks.value[i]);
-        svg_line(svg, x->start, at, x->stop, at);
-    }
-    svg_group_end(svg);
-    svg_styled_rect(svg, &(struct svg_style){.stroke = "#000000", .width = 1}, x->start, y->stop,
-                    x->stop - x->start, y->start - y->stop);
-    for (size_t i = 0; i < x->ticks.count; i++) {
-        svg_words(svg, plot_page_at(x, x->ticks.value[i]), y->start + 18, NUMBER_SIZE, SVG_MIDDLE,
-                  NULL, ticks_text(svg->arena, &x->ticks, i));
-    }
-    for (size_t i = 0; i < y->ticks.count; i++) {
-        svg_words(svg, x->start - 8, plot_page_at(y, y->ticks.value[i]) + 4, NUMBER_SIZE, SVG_END,
-                  NULL, ticks_text(svg->arena, &y->ticks, i));
-    }
+    plot_axes_grid(svg, x, y);
+    plot_axes_numbers(svg, x, y, NUMBER_SIZE);
     svg_words(svg, (x->start + x->stop) / 2, y->start + 42, AXIS_SIZE, SVG_MIDDLE, NULL,
               front->x_label);
     svg_words_upwards(svg, 22, (y->start + y->stop) / 2, AXIS_SIZE, front->y_label);

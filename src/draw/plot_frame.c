@@ -2,6 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "draw/plot_frame.h"
 
+#include "draw/svg.h"
+
 #include <math.h>
 
 static const double HUGEST = 1e200, TINIEST = 1e-200;
@@ -139,5 +141,34 @@ void plot_set_x_axis(struct plot_axis *x)
     if (x->ticks.count < 3) { /* a short logarithmic axis between two round numbers */
         ticks_linear(x->low, x->high, &x->ticks);
         keep_ticks_inside(x);
+    }
+}
+
+void plot_axes_grid(struct svg *svg, const struct plot_axis *x, const struct plot_axis *y)
+{
+    svg_group_begin(svg, &(struct svg_style){.stroke = "#dddddd", .width = 0.7});
+    for (size_t i = 0; i < x->ticks.count; i++) {
+        const double at = plot_page_at(x, x->ticks.value[i]);
+        svg_line(svg, at, y->start, at, y->stop);
+    }
+    for (size_t i = 0; i < y->ticks.count; i++) {
+        const double at = plot_page_at(y, y->ticks.value[i]);
+        svg_line(svg, x->start, at, x->stop, at);
+    }
+    svg_group_end(svg);
+    svg_styled_rect(svg, &(struct svg_style){.stroke = "#000000", .width = 1}, x->start, y->stop,
+                    x->stop - x->start, y->start - y->stop);
+}
+
+void plot_axes_numbers(struct svg *svg, const struct plot_axis *x, const struct plot_axis *y,
+                       double size)
+{
+    for (size_t i = 0; i < x->ticks.count; i++) {
+        svg_words(svg, plot_page_at(x, x->ticks.value[i]), y->start + 18, size, SVG_MIDDLE, NULL,
+                  ticks_text(svg->arena, &x->ticks, i));
+    }
+    for (size_t i = 0; i < y->ticks.count; i++) {
+        svg_words(svg, x->start - 8, plot_page_at(y, y->ticks.value[i]) + 4, size, SVG_END, NULL,
+                  ticks_text(svg->arena, &y->ticks, i));
     }
 }

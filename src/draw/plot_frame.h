@@ -38,4 +38,9 @@ double plot_near_page(const struct plot_axis *axis, double at);
 /* The inverse of plot_page_at. */
 double plot_value_at(const struct plot_axis *axis, double at);
 
+/* Lines at the ticks of both axes, and a frame about them; numbers beside it, `size` px. */
+void plot_axes_grid(struct svg *svg, const struct plot_axis *x, const struct plot_axis *y);
+void plot_axes_numbers(struct svg *svg, const struct plot_axis *x, const struct plot_axis *y,
+                       double size);
+
 #endif
