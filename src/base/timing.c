@@ -45,7 +45,9 @@ void timing_run(const struct timing_plan *plan, struct timed_work *works, size_t
 {
     size_t calls[TIMING_MOST];
     double before[TIMING_MOST], here[TIMING_MOST];
-    count = count < TIMING_MOST ? count : TIMING_MOST;
+    while (count > TIMING_MOST) {
+        works[--count].seconds = NAN;
+    }
     for (size_t i = 0; i < count; i++) {
         works[i].seconds = NAN;
         works[i].disagrees = INFINITY;

@@ -35,7 +35,7 @@ struct timing_plan timing_plan_default(void);
  *           fastest counts. Where two turns in a row agree the faster of them is the answer, and
  *           the work has no more turns; processor time, since other programs then count less
  * Limits    a processor that changes its speed, or shares a core, makes turns differ: the work then
- *           has no time
+ *           has no time, nor have works beyond the first 1024
  */
 void timing_run(const struct timing_plan *plan, struct timed_work *works, size_t count);
 

@@ -32,9 +32,8 @@ static const struct option options[] = {
      .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .fallback = "30", .value = "FREQUENCY",
      .wants = "quantity=mtf", .help = "spatial frequency in the image"},
     {ASKED(error), .name = "error", .column = "error_wanted", .value = "ERROR",
-     .help = "name the cheapest that keeps this error, a length in um, of mtf and irradiance a "
-             "number or "
-             "%, and up to which aperture and field each does"},
+     .help = "name the cheapest model that keeps this error (um; a number or % of mtf, irradiance "
+             "and photograph), and how wide an aperture and field each keeps it to"},
     {ASKED(clip), .name = "clip", .excludes = "no-clip", .wants = "quantity!=photograph",
      .help = "clip rays at apertures and stop (default)"},
     {ASKED(no_clip), .name = "no-clip", .wants = "quantity!=photograph",
@@ -78,8 +77,7 @@ static const struct column columns[] = {
     {PLAIN(quantity, COLUMN_HIDDEN), .name = "quantity", .help = "what is computed"},
     {PLAIN(seconds, COLUMN_HIDDEN), .name = "seconds",
      .help = "processor time of one ray, of the sums of all fields, or of a picture; absent where "
-             "turns did not "
-             "agree to 5 %"},
+             "turns did not agree to 5 %"},
     {PLAIN(time, COLUMN_BRIEF), .name = "time_us", .head = "us", .label = "time, us", .digits = 2,
      .help = "the same in microseconds"},
     {PLAIN(error, COLUMN_BRIEF), .name = "rms_error", .head = "error", .label = "error",
@@ -88,9 +86,7 @@ static const struct column columns[] = {
      .help = "of the errors: um, or 1; of irradiance relative"},
     {PLAIN(error_fitted, COLUMN_BRIEF | COLUMN_SPARSE), .name = "fitted_error", .head = "fitted",
      .digits = 2,
-     .help =
-         "of rays by a polynomial the error over those that it was fitted to; rms_error is over "
-         "others"},
+     .help = "error of a polynomial over the rays that it was fitted to; rms_error is over others"},
     {PLAIN(digits, COLUMN_BRIEF), .name = "digits", .digits = 3,
      .help = "digits that are right: log10 of the quantity over its error"},
     {PLAIN(pareto, COLUMN_BRIEF), .name = "pareto", .help = "no other row is as fast and as exact"},
