@@ -115,7 +115,8 @@ static void test_recovered(void)
     CHECK_RELATIVE(fit.parameters[1], 58.3, 1e-12, "H");
     CHECK_RELATIVE(fit.parameters[2], -28.5, 1e-12, "H'");
     struct thick_score score = {.weight = 0};
-    thick_score_add(&all.rays, fit.lenses, false, task.planes, &score);
+    const struct ray_model model = ray_model_of_thick(MODEL_FITTED, fit.lenses[0], task.planes[0]);
+    thick_score_add(&all.rays, &model, task.planes[1], &score);
     CHECK(fit.rms < 1e-12 && score.largest < 1e-11 && fit.rms_second < 1e-12);
     CHECK_TEXT(fit.names[2], "H'");
     arena_free(&arena);
@@ -395,6 +396,7 @@ static void test_score(void)
     static struct made_rays all;
     struct thick_score score = {.weight = 0};
     const double planes[2] = {30, 70}, weights[MOST] = {1, 2, 0.5, 3};
+    const struct ray_model model = ray_model_of_thick(MODEL_FITTED, plain_lens, planes[0]);
     double sums[3] = {0}, largest = 0, weight = 0;
     make_rays(&all, &plain_lens, 1, 4, 0.3, 1);
     all.rays.weight = weights;
@@ -419,7 +421,7 @@ static void test_score(void)
         weight += weights[i];
     }
     for (int again = 1; again < 3; again++) { /* the second time it is the mean of both */
-        thick_score_add(&all.rays, &plain_lens, false, planes, &score);
+        thick_score_add(&all.rays, &model, planes[1], &score);
         CHECK_RELATIVE(score.rms[0], sqrt(sums[0] / weight), 1e-11, "first plane");
         CHECK_RELATIVE(score.rms[1], sqrt(sums[1] / weight), 1e-11, "second plane");
         CHECK_RELATIVE(score.direction, sqrt(sums[2] / weight), 1e-11, "direction");

@@ -72,7 +72,7 @@ static void test_thick(struct arena *arena)
                                      .index_object = 1,
                                      .index_image = 1,
                                      .object = INFINITY};
-    const struct ray_model model = ray_model_of_thick(&setup, thick);
+    const struct ray_model model = ray_model_of_thick(MODEL_FITTED, thick, setup.image);
     const struct ray ray = ray_through(&model, 5, -2, 0.1, 0.2, arena);
     const double h = 5 + 3 * 0.1, k = -2 + 3 * 0.2, p = 0.1 - h / 50, q = 0.2 - k / 50;
     CHECK_NEAR(ray.point[0], h + 50 * p, 1e-13, "x in the focal plane");
@@ -81,7 +81,7 @@ static void test_thick(struct arena *arena)
     CHECK_NEAR(ray.cosine[0] / ray.cosine[2], p, 1e-15, "slope");
     CHECK_NEAR(ray.cosine[1] / ray.cosine[2], q, 1e-15, "slope");
     /* near object, 100 mm before the first vertex: its image is at the height -h f/(s - f) */
-    struct ray_model hole = ray_model_of_thick(&setup, thick);
+    struct ray_model hole = ray_model_of_thick(MODEL_FITTED, thick, setup.image);
     hole.kind = MODEL_PINHOLE;
     hole.thick.object = 100;
     const struct ray one = ray_through(&hole, 5, 0, 0.01, 0, arena);

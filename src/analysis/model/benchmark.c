@@ -401,7 +401,7 @@ static bool benchmark_judge(const struct benchmark_work *work, const struct benc
         if (question->fitted == NULL) {
             return fail(error, ERROR_DOMAIN, "%s", question->unfitted);
         }
-        run->model = ray_model_of_thick(setup, *question->fitted);
+        run->model = ray_model_of_thick(MODEL_FITTED, *question->fitted, setup->image);
     } else if (way->model == MODEL_POLYNOMIAL) {
         if (!benchmark_fit(work, way->degree, &run->model, error)) {
             return false;

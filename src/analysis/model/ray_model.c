@@ -7,9 +7,14 @@
 
 #include <math.h>
 
-struct ray_model ray_model_of_thick(const struct setup *setup, struct thick_lens thick)
+struct ray_model ray_model_of_thick(enum lens_model kind, struct thick_lens thick, double image)
 {
-    return (struct ray_model){.kind = MODEL_FITTED, .image = setup->image, .thick = thick};
+    return (struct ray_model){.kind = kind, .image = image, .thick = thick};
+}
+
+struct ray_model ray_model_of_system(const struct system *system)
+{
+    return (struct ray_model){.kind = MODEL_EXACT, .image = (double)NAN, .system = system};
 }
 
 bool ray_model_open(const struct setup *setup, enum lens_model kind, struct arena *arena,

@@ -14,7 +14,7 @@ struct ray_model {
     enum lens_model kind;
     double image;                /* of the plane, behind the last vertex, mm */
     struct thick_lens thick;     /* fitted, thick, thin, pinhole */
-    const struct system *system; /* exact, paraxial: to the plane, nothing clipped */
+    const struct system *system; /* exact, paraxial: to the plane */
     enum instruction_set set;    /* exact */
     struct third_order third;    /* seidel */
     struct ray_polynomial polynomial;
@@ -29,8 +29,21 @@ struct ray_model {
 bool ray_model_open(const struct setup *setup, enum lens_model kind, struct arena *arena,
                     struct ray_model *model, struct error *error);
 
-/* The model that a thick lens is, whoever found it: MODEL_FITTED. */
-struct ray_model ray_model_of_thick(const struct setup *setup, struct thick_lens thick);
+/*
+ * The model that a thick lens is, whoever found it.
+ *
+ * Given     kind   MODEL_FITTED to MODEL_PINHOLE, which is the hole in its H
+ *           image  of the plane, behind the last vertex, mm
+ */
+struct ray_model ray_model_of_thick(enum lens_model kind, struct thick_lens thick, double image);
+
+/*
+ * The model that a compiled system is: of a lens, or of one with another in its place, backwards
+ * too.
+ *
+ * Result    rays are clipped where the system clips them, and end where it ends
+ */
+struct ray_model ray_model_of_system(const struct system *system);
 
 /*
  * Rays through a model.

@@ -84,14 +84,15 @@ static bool lens_film_open_systems(const struct film_question *question, struct 
                                    bladed, error)) {
         return false;
     }
-    film->systems = ARENA_ARRAY(arena, setup->wavelength_count, const struct system *);
+    film->models = ARENA_ARRAY(arena, setup->wavelength_count, struct ray_model);
     for (size_t w = 0; w < setup->wavelength_count; w++) {
         struct system *system = has_blades ? ARENA_NEW(arena, struct system) : NULL;
         if (has_blades && !setup_compile(setup, bladed, w, which, system, error)) {
             return false;
         }
-        film->systems[w] = has_blades ? system : setup_system(setup, w, which, error);
-        if (film->systems[w] == NULL) {
+        film->models[w] =
+            ray_model_of_system(has_blades ? system : setup_system(setup, w, which, error));
+        if (film->models[w].system == NULL) {
             return false;
         }
     }
@@ -112,7 +113,7 @@ static bool is_disc(const struct film_question *question, const struct lens_film
         is = is && (i == lens->stop || !surface->has_diameter) && surface->aperture_count == 0;
     }
     for (size_t w = 1; w < setup->wavelength_count; w++) {
-        const struct system *one = film->systems[w], *first = film->systems[0];
+        const struct system *one = film->models[w].system, *first = film->models[0].system;
         is = is && !(fabs(one->index_first / one->index_last -
                           first->index_first / first->index_last) > 0);
     }
@@ -124,7 +125,12 @@ static bool open_region(const struct film_question *question, struct arena *aren
                         struct lens_film *film, struct error *error)
 {
     const struct setup *setup = question->setup;
-    const struct film_lens lens = {.systems = film->systems,
+    const struct system **systems =
+        ARENA_ARRAY(arena, setup->wavelength_count, const struct system *);
+    for (size_t w = 0; w < setup->wavelength_count; w++) {
+        systems[w] = film->models[w].system;
+    }
+    const struct film_lens lens = {.systems = systems,
                                    .count = setup->wavelength_count,
                                    .first = &setup->first,
                                    .film = setup->image,
@@ -190,7 +196,7 @@ bool lens_film_open(const struct film_question *question, struct arena *arena,
          * the pupil as a disc, and a region of no more than how far it is seen: all over the film
          */
         const double radius = fabs(setup->first.exit_diameter) / 2;
-        const double index = film->systems[0]->index_first;
+        const double index = film->models[0].system->index_first;
         film->start = start_in_disc;
         film->region = (struct exit_pupil_bounds){
             .film = setup->image, .index = index, .largest = film->corner};
@@ -214,7 +220,7 @@ bool lens_film_open(const struct film_question *question, struct arena *arena,
     film->lit = lit_of(film, question->width / 2, question->height / 2);
     film->aim = film->start;
     if (question->is_anywhere) {
-        if (!lens_is_round(film->systems[0]->lens)) {
+        if (!lens_is_round(film->models[0].system->lens)) {
             return fail(error, ERROR_DOMAIN,
                         "{no skip} pupil: the lens is not the same all around its axis");
         }
@@ -236,9 +242,9 @@ void lens_film_start(const struct lens_film *film, struct film_samples *samples,
 void lens_film_trace(const struct lens_film *film, size_t wavelength, struct film_samples *samples,
                      const struct rays *rays)
 {
-    const struct system *system = film->systems[wavelength];
+    const struct system *system = film->models[wavelength].system;
     if (film->shutter == NULL) {
-        rays_trace(system, rays, NULL);
+        ray_model_trace(&film->models[wavelength], rays, NULL);
     } else {
         /* from when to when rays pass, which are traced meanwhile */
         const struct shutter *shutter = film->shutter;
@@ -405,7 +411,7 @@ void lens_film_chief(const struct lens_film *film, const double at[2], struct fi
     samples->y[0] = share * at[1];
     samples->v[0] = film->region.has_hole ? 0.5 : 0; /* not at the edge of a hole */
     film->aim(film, samples, rays->blocks);
-    rays_trace(film->systems[0], rays, NULL);
+    ray_model_trace(&film->models[0], rays, NULL);
 }
 
 double lens_film_angle(const struct lens_film *film, const double step[2],

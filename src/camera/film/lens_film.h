@@ -3,7 +3,7 @@
 #ifndef LENSCALC_CAMERA_FILM_LENS_FILM_H
 #define LENSCALC_CAMERA_FILM_LENS_FILM_H
 
-#include "analysis/model/lens_model.h"
+#include "analysis/model/ray_model.h"
 #include "analysis/setup/setup.h"
 #include "base/arena.h"
 #include "base/error.h"
@@ -20,7 +20,7 @@ struct lens_film {
     /* the same where u, v are places in the pupil, whatever `start` makes of them */
     void (*aim)(const struct lens_film *film, struct film_samples *samples,
                 struct ray_block *block);
-    const struct system **systems; /* one a wavelength of the setup */
+    struct ray_model *models; /* from the film into the scene, one a wavelength of the setup */
     struct exit_pupil_bounds region;
     struct sobol sobol[FILM_DIMENSIONS];
     const struct acceptance *acceptance;

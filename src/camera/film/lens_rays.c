@@ -82,7 +82,7 @@ size_t lens_rays_next(struct lens_rays *stream)
         }
         lens_rays_begin(stream, stream->wavelength + 1);
     }
-    const struct system *system = stream->film.systems[stream->wavelength];
+    const struct system *system = stream->film.models[stream->wavelength].system;
     const double n = stream->film.region.index / system->index_last;
     const double lit =
         stream->plan.width * stream->plan.height / (question->film.width * question->film.height);

@@ -36,7 +36,8 @@ static void lateral_colour_trace(const struct lens_film *film, size_t wavelength
                                  struct lateral_colour_scratch *scratch, struct exits *exits)
 {
     const struct ray_block *block = scratch->rays.blocks;
-    rays_trace(film->systems[wavelength], &scratch->rays, NULL); /* whatever the shutter does */
+    ray_model_trace(&film->models[wavelength], &scratch->rays,
+                    NULL); /* whatever the shutter does */
     for (size_t i = 0; i < RAYS_BLOCK; i++) {
         const double way = -block->z[i] / block->r[i];
         exits->x[X][i] = block->x[i] + way * block->p[i];

@@ -41,7 +41,7 @@ static bool open_sight(const struct metering_question *question, struct tile_scr
     const double end = fmin(film->corner, within * film->lit);
     const struct ray_block *block = scratch->rays.blocks;
     *sight = (struct sight){.question = question, .count = PLACES};
-    if (!lens_is_round(film->systems[0]->lens)) {
+    if (!lens_is_round(film->models[0].system->lens)) {
         return false;
     }
     /* is all the film at work at the same times, or the scene at rest? */

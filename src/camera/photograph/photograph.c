@@ -248,7 +248,7 @@ bool photograph_take(const struct photograph_question *question, struct arena *a
                                       .card = question->card,
                                       .largest = film.lit,
                                       .corner = film.corner};
-    const double n = film.region.index / film.systems[0]->index_last;
+    const double n = film.region.index / film.models[0].system->index_last;
     struct tile_work work = {.question = question,
                              .tiling = tiling,
                              .image = &photograph->image,

@@ -316,7 +316,7 @@ void ray_reuse_open(struct ray_reuse *reuse, size_t blocks, struct arena *arena)
 {
     const struct lens_film *film = reuse->film;
     const bool is_dark = reuse->view != NULL && reuse->backdrop.is_dark; /* black needs no table */
-    const bool is_round = lens_is_round(film->systems[0]->lens) &&
+    const bool is_round = lens_is_round(film->models[0].system->lens) &&
                           (film->shutter == NULL || !isfinite(film->shutter->run));
     reuse->plane = reuse->relief != NULL ? reuse->relief->pupil : 0;
     reuse->frame = reuse->plane + reuse->card->distance;

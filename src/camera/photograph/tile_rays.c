@@ -17,11 +17,11 @@ enum {
 /* Do all wavelengths go the same way? */
 static bool tile_rays_is_alike(const struct lens_film *film, size_t wavelengths)
 {
-    const size_t media = film->systems[0]->lens->surface_count + 1;
+    const size_t media = film->models[0].system->lens->surface_count + 1;
     bool alike = true;
     for (size_t w = 1; w < wavelengths; w++) {
         for (size_t i = 0; i < media; i++) {
-            alike = alike && film->systems[w]->n[i].hi == film->systems[0]->n[i].hi;
+            alike = alike && film->models[w].system->n[i].hi == film->models[0].system->n[i].hi;
         }
     }
     return alike;

@@ -95,6 +95,10 @@ static inline double fit_field(const struct fit_job *job, size_t i)
 
 /* -------- commands/design/fit_view.c: rows of what was found -------- */
 
+/* Thick lenses, one a wavelength, as models whose plane is the image. */
+struct ray_model *fit_models(const struct fit_job *job, enum lens_model kind,
+                             const struct thick_lens *lenses);
+
 void fit_show_rays(struct fit_job *job);
 bool fit_show_models(struct fit_job *job, struct error *error);
 void fit_show_matrix(struct fit_job *job);

@@ -293,13 +293,14 @@ static void show_answers(struct fit_job *job)
     const struct setup *setup = job->setup;
     const struct solver_summary *summary = &fit->summary;
     struct arena *arena = job->run->arena;
+    const struct ray_model *models = fit_models(job, MODEL_FITTED, fit->lenses);
     struct thick_score score = {.largest = 0};
     const double z = job->task.planes[0];
     double height = 0, clear = 0;
     const struct ray_part *part;
     while ((part = ray_data_next(&job->ray_data)) != NULL) {
         const struct thick_rays *rays = &part->rays;
-        thick_score_add(rays, fit->lenses, false, job->task.planes, &score);
+        thick_score_add(rays, models, job->task.planes[1], &score);
         for (size_t i = 0; i < rays->count; i++) {
             height = fmax(height, hypot(rays->x_out[i] + z * rays->p_out[i],
                                         rays->y_out[i] + z * rays->q_out[i]));

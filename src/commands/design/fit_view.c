@@ -174,15 +174,27 @@ static const struct column matrix_columns[] = {
 };
 
 const struct sheet fit_matrix_sheet = SHEET(matrix_columns, struct matrix_row);
+struct ray_model *fit_models(const struct fit_job *job, enum lens_model kind,
+                             const struct thick_lens *lenses)
+{
+    const size_t count = job->setup->wavelength_count;
+    struct ray_model *models = ARENA_ARRAY(job->run->arena, count, struct ray_model);
+    for (size_t g = 0; g < count; g++) {
+        models[g] = ray_model_of_thick(kind, lenses[g], job->task.planes[0]);
+    }
+    return models;
+}
+
 void fit_show_rays(struct fit_job *job)
 {
     const struct setup *setup = job->setup;
     const bool is_angle = setup->lens->object_is_infinite;
+    const struct ray_model *models = fit_models(job, MODEL_FITTED, job->fit.lenses);
     const struct ray_part *part;
     double dx[RAY_PART], dy[RAY_PART];
     while ((part = ray_data_next(&job->ray_data)) != NULL) {
         const struct thick_rays *rays = &part->rays;
-        thick_errors(rays, job->fit.lenses, job->task.planes[0], dx, dy);
+        thick_errors(rays, models, dx, dy);
         for (size_t i = 0; i < rays->count; i++) {
             const double field = fit_field(job, rays->field[i]);
             const struct ray_row row = {.position = setup->position,
@@ -221,30 +233,29 @@ bool fit_show_models(struct fit_job *job, struct error *error)
 {
     struct thick_lens *paraxial =
         ARENA_ARRAY(job->run->arena, job->setup->wavelength_count, struct thick_lens);
-    const struct {
-        enum lens_model model;
-        const struct thick_lens *lenses;
-    } models[] = {{MODEL_FITTED, job->fit.lenses},
-                  {MODEL_PARAXIAL, paraxial},
-                  {MODEL_THICK, job->paraxial},
-                  {MODEL_THIN, job->thin},
-                  {MODEL_PINHOLE, job->paraxial}};
-    enum { MODELS = sizeof models / sizeof models[0] };
-    struct thick_score scores[MODELS] = {{.largest = 0}};
-    const struct ray_part *part;
     if (!fit_paraxial_models(job, paraxial, error)) {
         return false;
     }
+    const struct {
+        enum lens_model word;
+        const struct ray_model *lenses;
+    } models[] = {{MODEL_FITTED, fit_models(job, MODEL_FITTED, job->fit.lenses)},
+                  {MODEL_PARAXIAL, fit_models(job, MODEL_THICK, paraxial)},
+                  {MODEL_THICK, fit_models(job, MODEL_THICK, job->paraxial)},
+                  {MODEL_THIN, fit_models(job, MODEL_THIN, job->thin)},
+                  {MODEL_PINHOLE, fit_models(job, MODEL_PINHOLE, job->paraxial)}};
+    enum { MODELS = sizeof models / sizeof models[0] };
+    struct thick_score scores[MODELS] = {{.largest = 0}};
+    const struct ray_part *part;
     while ((part = ray_data_next(&job->ray_data)) != NULL) {
         for (size_t i = 0; i < MODELS; i++) {
-            thick_score_add(&part->rays, models[i].lenses, models[i].model == MODEL_PINHOLE,
-                            job->task.planes, &scores[i]);
+            thick_score_add(&part->rays, models[i].lenses, job->task.planes[1], &scores[i]);
         }
     }
     for (size_t i = 0; i < MODELS; i++) {
-        const struct thick_lens *lens = &models[i].lenses[0];
+        const struct thick_lens *lens = &models[i].lenses[0].thick;
         const struct model_row row = {.position = job->setup->position,
-                                      .model = lens_models[models[i].model].word,
+                                      .model = lens_models[models[i].word].word,
                                       .efl = lens->focal,
                                       .front = lens->front,
                                       .rear = lens->rear,
@@ -300,6 +311,7 @@ bool fit_draw_map(const struct artifact_job *wanted, struct output *sink, struct
     map.row_count = job->setup->wavelength_count;
     /* the points of all rays; those that came through first */
     const struct ray_data *ray_data = &job->ray_data;
+    const struct ray_model *models = fit_models(job, MODEL_FITTED, job->fit.lenses);
     const struct ray_part *part;
     struct ray_map_point *points =
         ARENA_ARRAY(job->run->arena, ray_data->wanted, struct ray_map_point);
@@ -307,7 +319,7 @@ bool fit_draw_map(const struct artifact_job *wanted, struct output *sink, struct
     size_t count = 0, lost = ray_data->count;
     while ((part = ray_data_next(&job->ray_data)) != NULL) {
         const struct thick_rays *rays = &part->rays;
-        thick_errors(rays, job->fit.lenses, job->task.planes[0], dx, dy);
+        thick_errors(rays, models, dx, dy);
         for (size_t i = 0; i < rays->count; i++) {
             points[count++] =
                 (struct ray_map_point){rays->field[i],  rays->group[i], rays->stop_x[i],

@@ -228,29 +228,45 @@ static bool check_task(const struct thick_task *task, struct error *error)
     return true;
 }
 
-static struct slope_ray map_ray(const struct thick_rays *rays, const struct thick_lens *lenses,
-                                size_t i)
+/*
+ * From the first ray on, those of its group that fill a block: where the model of that has them
+ * end. How many there are.
+ */
+static size_t thick_block_trace(const struct thick_rays *rays, const struct ray_model *models,
+                                size_t first, struct ray_block *block)
 {
-    const struct slope_ray in = {rays->x[i], rays->y[i], rays->p[i], rays->q[i]};
-    return thick_lens_map(&lenses[thick_rays_group(rays, i)], in);
+    const size_t group = thick_rays_group(rays, first);
+    const struct ray_model *model = &models[group];
+    struct rays ends = {.blocks = block};
+    for (size_t i = first; i < rays->count && ends.count < RAYS_BLOCK; i++, ends.count++) {
+        const double p = rays->p[i], q = rays->q[i];
+        if (thick_rays_group(rays, i) != group) {
+            break;
+        }
+        block->x[ends.count] = rays->x[i];
+        block->y[ends.count] = rays->y[i];
+        block->z[ends.count] = 0;
+        block->r[ends.count] = model->thick.index_object / sqrt(1 + p * p + q * q);
+        block->p[ends.count] = p * block->r[ends.count];
+        block->q[ends.count] = q * block->r[ends.count];
+    }
+    ray_model_trace(model, &ends, NULL);
+    return ends.count;
 }
 
-double thick_errors(const struct thick_rays *rays, const struct thick_lens *lenses, double plane,
-                    double *dx, double *dy)
+void thick_errors(const struct thick_rays *rays, const struct ray_model *models, double *dx,
+                  double *dy)
 {
-    double sum = 0, weights = 0;
-    for (size_t i = 0; i < rays->count; i++) {
-        const struct slope_ray out = map_ray(rays, lenses, i);
-        double x = out.x - rays->x_out[i] + plane * (out.p - rays->p_out[i]);
-        double y = out.y - rays->y_out[i] + plane * (out.q - rays->q_out[i]);
-        sum += thick_rays_weight(rays, i) * (x * x + y * y);
-        weights += thick_rays_weight(rays, i);
-        if (dx != NULL) {
-            dx[i] = x;
-            dy[i] = y;
+    struct ray_block block;
+    for (size_t first = 0, count; first < rays->count; first += count) {
+        count = thick_block_trace(rays, models, first, &block);
+        const double plane = models[thick_rays_group(rays, first)].image;
+        for (size_t k = 0; k < count; k++) {
+            const size_t i = first + k;
+            dx[i] = block.x[k] - (rays->x_out[i] + plane * rays->p_out[i]);
+            dy[i] = block.y[k] - (rays->y_out[i] + plane * rays->q_out[i]);
         }
     }
-    return sqrt(sum / weights);
 }
 
 /* Root mean square of what was so far and of what is new. */
@@ -259,29 +275,40 @@ static void join_rms(double *rms, double weight, double squares, double all)
     *rms = all > 0 ? sqrt((*rms * *rms * weight + squares) / all) : 0;
 }
 
-void thick_score_add(const struct thick_rays *rays, const struct thick_lens *lenses, bool pinhole,
-                     const double planes[2], struct thick_score *score)
+/* How far ray i is off that a model has end in lane k, in both planes and by direction. */
+static void thick_score_ray(const struct thick_rays *rays, size_t i, const struct ray_block *block,
+                            size_t k, const double planes[2], double off[3])
+{
+    const double p = block->p[k] / block->r[k], q = block->q[k] / block->r[k];
+    const double u = rays->p_out[i], v = rays->q_out[i];
+    for (int plane = 0; plane < 2; plane++) {
+        const double z = planes[plane], on = z - planes[0];
+        off[plane] = hypot(block->x[k] + on * p - (rays->x_out[i] + z * u),
+                           block->y[k] + on * q - (rays->y_out[i] + z * v));
+    }
+    /* the angle between their directions; sine and cosine with the same factor */
+    const double a = q - v, b = u - p, c = p * v - q * u;
+    off[2] = atan2(sqrt(a * a + b * b + c * c), 1 + p * u + q * v);
+}
+
+void thick_score_add(const struct thick_rays *rays, const struct ray_model *models, double plane,
+                     struct thick_score *score)
 {
     double sums[3] = {0}, before = score->weight;
-    for (size_t i = 0; i < rays->count; i++) {
-        const struct slope_ray in = {rays->x[i], rays->y[i], rays->p[i], rays->q[i]};
-        const struct thick_lens *lens = &lenses[thick_rays_group(rays, i)];
-        const struct slope_ray out =
-            pinhole ? thick_lens_pinhole(lens, in) : thick_lens_map(lens, in);
-        double w = thick_rays_weight(rays, i);
-        double x = out.x - rays->x_out[i], y = out.y - rays->y_out[i];
-        for (int k = 0; k < 2; k++) {
-            double off = hypot(x + planes[k] * (out.p - rays->p_out[i]),
-                               y + planes[k] * (out.q - rays->q_out[i]));
-            sums[k] += w * off * off;
-            score->largest = k == 0 ? fmax(score->largest, off) : score->largest;
+    struct ray_block block;
+    for (size_t first = 0, count; first < rays->count; first += count) {
+        count = thick_block_trace(rays, models, first, &block);
+        const double planes[2] = {models[thick_rays_group(rays, first)].image, plane};
+        for (size_t k = 0; k < count; k++) {
+            const double w = thick_rays_weight(rays, first + k);
+            double off[3];
+            thick_score_ray(rays, first + k, &block, k, planes, off);
+            for (int j = 0; j < 3; j++) {
+                sums[j] += w * off[j] * off[j];
+            }
+            score->largest = fmax(score->largest, off[0]);
+            score->weight += w;
         }
-        /* the angle between their directions; sine and cosine with the same factor */
-        double p = out.p, q = out.q, u = rays->p_out[i], v = rays->q_out[i];
-        double a = q - v, b = u - p, c = p * v - q * u;
-        double turn = atan2(sqrt(a * a + b * b + c * c), 1 + p * u + q * v);
-        sums[2] += w * turn * turn;
-        score->weight += w;
     }
     join_rms(&score->rms[0], before, sums[0], score->weight);
     join_rms(&score->rms[1], before, sums[1], score->weight);

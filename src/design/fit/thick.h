@@ -3,6 +3,7 @@
 #ifndef LENSCALC_DESIGN_FIT_THICK_H
 #define LENSCALC_DESIGN_FIT_THICK_H
 
+#include "analysis/model/ray_model.h"
 #include "base/arena.h"
 #include "base/error.h"
 #include "design/fit/thick_sums.h"
@@ -85,32 +86,31 @@ bool thick_fit(const struct thick_task *task, struct arena *arena, struct thick_
 solver_function thick_residuals;
 
 /*
- * Distance in a plane between rays and what a thick lens makes of them.
+ * Distance between rays and what models make of them, in the plane of these.
  *
- * Given     plane  from the rear reference plane, mm
- *           dx, dy  receive the lens's ray less the given one, mm; or null
- * Result    root mean square of the distances, weighted
+ * Given     models  one a group, of thick lenses
+ *           dx, dy  receive the model's ray less the given one, mm
  */
-double thick_errors(const struct thick_rays *rays, const struct thick_lens *lenses, double plane,
-                    double *dx, double *dy);
+void thick_errors(const struct thick_rays *rays, const struct ray_model *models, double *dx,
+                  double *dy);
 
-/* How far a thick lens is off. */
+/* How far a model is off. */
 struct thick_score {
     double weight;    /* of all rays */
-    double rms[2];    /* in each of the two planes, mm */
-    double largest;   /* in the first, mm */
+    double rms[2];    /* in its plane and in another, mm */
+    double largest;   /* in its own, mm */
     double direction; /* angle between the rays behind the lens, rms, rad */
 };
 
 /*
- * Compare a thick lens with rays in two planes, and by direction.
+ * Compare models with rays in two planes, and by direction.
  *
- * Given     pinhole  the hole in H in place of it, thick_lens_pinhole
- *           planes   from the rear reference plane, mm
- *           score    of the rays so far, of none if all is 0; receives that of these too
+ * Given     models  one a group, of thick lenses and holes, all with one plane
+ *           plane   another, from the rear reference plane, mm
+ *           score   of the rays so far, of none if all is 0; receives that of these too
  */
-void thick_score_add(const struct thick_rays *rays, const struct thick_lens *lenses, bool pinhole,
-                     const double planes[2], struct thick_score *score);
+void thick_score_add(const struct thick_rays *rays, const struct ray_model *models, double plane,
+                     struct thick_score *score);
 
 /* A pupil: the picture of the stop from one side. */
 struct thick_pupil {

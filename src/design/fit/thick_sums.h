@@ -106,7 +106,10 @@ static inline double thick_row_product(const double *row, const double *factors)
 double thick_sums_cone(const struct thick_sums *sums);
 
 /*
- * What thick_errors returns, of all rays.
+ * Distance in a plane between rays and what thick lenses make of them: root mean square of all
+ * rays, by their weights, mm.
+ *
+ * Given     plane  from the rear reference plane, mm
  */
 double thick_sums_rms(const struct thick_sums *sums, const struct thick_lens *lenses, double plane);
 
