@@ -168,6 +168,16 @@ static struct dual reduced_of(const struct paraxial_dual *dual, size_t i)
                                : dual_of(0);
 }
 
+struct dual paraxial_dual_group(const struct paraxial_dual *dual, size_t first, size_t end)
+{
+    struct dual_ray ray = {dual_of(1), dual_of(0)};
+    for (size_t i = first; i < end; i++) {
+        ray = refracted(ray, paraxial_dual_power_of(dual, i));
+        ray = i + 1 < end ? transferred(ray, reduced_of(dual, i)) : ray;
+    }
+    return dual_scale(ray.v, -1);
+}
+
 /* -------- first order -------- */
 
 /* The rays of height 1 and of slope 1, behind the lens and at the stop. */

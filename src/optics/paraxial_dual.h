@@ -97,6 +97,14 @@ void paraxial_dual_first(const struct paraxial_dual *dual, const struct dual_que
                          struct dual_first *first);
 
 /*
+ * The power of some surfaces, from `first` to before `end`, between the media before and behind
+ * them, and its derivative along the change, 1/mm.
+ *
+ * Formula   -v' behind them of a ray that comes in at y = 1, v = 0
+ */
+struct dual paraxial_dual_group(const struct paraxial_dual *dual, size_t first, size_t end);
+
+/*
  * How far out light comes at each surface, |y| + |ybar| of the marginal and the chief ray, mm.
  *
  * Given     first  with both rays; without a chief ray that of the axis alone

@@ -47,6 +47,10 @@ static bool hint_kinds(struct goal_parser *reading, struct text name, struct err
         if (kind != NULL) {
             nearest_offer(&nearest, text_of(kind));
         }
+        const char *alias = operand_type((enum operand_kind)i)->alias;
+        if (alias != NULL) {
+            nearest_offer(&nearest, text_of(alias));
+        }
         if (i == OPERAND_S1) {
             kind = "S1..S5";
         }

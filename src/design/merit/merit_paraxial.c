@@ -161,6 +161,59 @@ bool merit_fill_first(struct merit *merit, const struct merit_slot *slot, double
     return figures != NULL && merit_put(merit, slot, 0, residuals, jacobian);
 }
 
+/* -------- what is measured to the image plane -------- */
+
+size_t merit_prepare_plane(struct merit *merit, struct merit_slot *slot, struct arena *arena,
+                           struct error *error)
+{
+    (void)arena;
+    return merit_image_check(&merit->places[slot->place], error) ? 1 : 0;
+}
+
+/* From the last vertex to the image plane, by one column. */
+static struct dual paraxial_plane_of(struct merit *merit, const struct merit_place *place,
+                                     size_t column)
+{
+    struct merit_light *primary = &place->lights[0];
+    if (place->lens->focus != FOCUS_TABLE) {
+        return primary->figures[column].first.image;
+    }
+    paraxial_change(merit, primary, column);
+    return primary->paraxial.surfaces[place->lens->surface_count - 1].thickness;
+}
+
+bool merit_fill_plane(struct merit *merit, const struct merit_slot *slot, double *residuals,
+                      double *jacobian)
+{
+    const bool is_track = slot->operand->kind == OPERAND_TRACK;
+    const struct merit_figures *figures = merit_figures(merit, slot, slot->operand->wavelength);
+    for (size_t j = 0; j < merit_columns(merit) && figures != NULL; j++) {
+        const struct dual_first *first = &figures[j].first;
+        const struct dual plane = paraxial_plane_of(merit, &merit->places[slot->place], j);
+        merit->change[j] =
+            is_track ? dual_add(first->length, plane) : dual_subtract(first->image, plane);
+    }
+    return figures != NULL && merit_put(merit, slot, 0, residuals, jacobian);
+}
+
+/* -------- power of a group -------- */
+
+bool merit_fill_group(struct merit *merit, const struct merit_slot *slot, double *residuals,
+                      double *jacobian)
+{
+    struct merit_light *light = merit_light(merit, slot, slot->operand->wavelength);
+    size_t first, end;
+    if (paraxial_figures_of(merit, slot, light) == NULL) {
+        return false;
+    }
+    merit_surfaces(slot->operand, merit->places[slot->place].lens, &first, &end);
+    for (size_t j = 0; j < merit_columns(merit); j++) {
+        paraxial_change(merit, light, j);
+        merit->change[j] = paraxial_dual_group(&light->paraxial, first, end);
+    }
+    return merit_put(merit, slot, 0, residuals, jacobian);
+}
+
 /* -------- axial colour -------- */
 
 void merit_colours(const struct merit_place *place, const struct operand *operand,

@@ -30,6 +30,20 @@ merit_fill merit_fill_axial;
 merit_prepare merit_prepare_axial;
 
 /*
+ * What is measured to the image plane: track, from the first vertex; focus, from there to the
+ * paraxial image of the wavelength.
+ *
+ * Formula   track: length + s', s' the distance of the plane behind the last vertex, which is the
+ *           last thickness, or the paraxial image at the primary wavelength; focus: image - s'
+ * Errors    as merit_image_check
+ */
+merit_fill merit_fill_plane;
+merit_prepare merit_prepare_plane;
+
+/* power: paraxial_dual_group of the surfaces of the operand, of all of them where it has none. */
+merit_fill merit_fill_group;
+
+/*
  * S1 .. S5 of the field, else of the one farthest from the axis, mm: paraxial_dual_seidel.
  *
  * Errors    no aperture, no stop, no field, a cone

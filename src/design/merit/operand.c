@@ -18,6 +18,7 @@ enum {
 #define LENGTH &dimension_length, "mm"
 #define NUMBER &dimension_number, ""
 #define ANGLE  &dimension_angle, "deg"
+#define POWER  &dimension_vergence, "dpt"
 
 /* clang-format off */
 static const struct operand_type types[OPERAND_KINDS] = {
@@ -25,6 +26,9 @@ static const struct operand_type types[OPERAND_KINDS] = {
     [OPERAND_BFL] = {"bfl", "last vertex to rear focal point", LENGTH, W | TARGET},
     [OPERAND_FFL] = {"ffl", "first vertex to front focal point", LENGTH, W | TARGET},
     [OPERAND_LENGTH] = {"length", "first to last vertex", LENGTH, TARGET},
+    [OPERAND_TRACK] = {"track", "first vertex to image plane", LENGTH, TARGET},
+    [OPERAND_FOCUS] = {"focus", "paraxial image behind the image plane", LENGTH, W},
+    [OPERAND_POWER] = {"power", "of a group of surfaces", POWER, W | SURFACES | TARGET},
     [OPERAND_MAGNIFICATION] = {"magnification", "of a near object", NUMBER, W | TARGET},
     [OPERAND_FNUMBER] = {"fnumber", "focal length over entrance pupil", NUMBER, W | TARGET},
     [OPERAND_PETZVAL] = {"petzval", "Petzval radius", LENGTH, W | TARGET},
@@ -38,7 +42,8 @@ static const struct operand_type types[OPERAND_KINDS] = {
                         W | F | OPERAND_NEEDS_FIELD | TARGET},
     [OPERAND_DISTORTION] = {"distortion", "of the chief ray, percent", NUMBER, W | F},
     [OPERAND_LATERAL] = {"lateral", "lateral colour in the image", LENGTH, ALL_W | F},
-    [OPERAND_TELECENTRIC] = {"telecentric", "angle of the chief ray in image space", ANGLE, W | F},
+    [OPERAND_TELECENTRIC] = {"telecentric", "angle of the chief ray in image space", ANGLE, W | F,
+                             "cra"},
     [OPERAND_INCIDENCE] = {"incidence", "largest angle of incidence", ANGLE,
                            W | F | SURFACES | TARGET},
     [OPERAND_EDGE] = {"edge", "thickness of glass at its edge", LENGTH, SURFACES | TARGET},
@@ -65,7 +70,9 @@ const struct operand_type *operand_type(enum operand_kind kind)
 enum operand_kind operand_find(struct text name)
 {
     for (int i = 0; i < OPERAND_KINDS; i++) {
-        if (types[i].name != NULL && text_same(name, types[i].name)) {
+        const struct operand_type *type = &types[i];
+        if ((type->name != NULL && text_same(name, type->name)) ||
+            (type->alias != NULL && text_same(name, type->alias))) {
             return (enum operand_kind)i;
         }
     }

@@ -18,6 +18,9 @@ enum operand_kind {
     OPERAND_BFL,
     OPERAND_FFL,
     OPERAND_LENGTH,
+    OPERAND_TRACK,
+    OPERAND_FOCUS,
+    OPERAND_POWER,
     OPERAND_MAGNIFICATION,
     OPERAND_FNUMBER,
     OPERAND_PETZVAL,
@@ -108,6 +111,7 @@ struct operand_type {
     const struct dimension *dimension; /* of value, target and deviation */
     const char *unit;                  /* that a bare number is in */
     unsigned is;                       /* OPERAND_AT_WAVELENGTH .. */
+    const char *alias;                 /* another name; null: none */
 };
 const struct operand_type *operand_type(enum operand_kind kind);
 
