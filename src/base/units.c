@@ -164,6 +164,12 @@ static const struct unit colour_units[] = {
     {"K", "K", {1, 0}, 1, "kelvin", "kelvin"},
 };
 
+static const struct unit mass_units[] = {
+    {"g", "g", {1, 0}, 1, "gram grams gramme grammes", "gram"},
+    {"mg", "mg", {1, -3}, 1, NULL, "milligram"},
+    {"kg", "kg", {1, 3}, 1, NULL, "kilogram"},
+};
+
 static const struct unit storage_units[] = {
     {"B", "B", {1, 0}, 1, "byte bytes", "byte"},
     {"kB", "kB", {1, 3}, 1, NULL, "1000 bytes"},
@@ -211,21 +217,34 @@ const struct dimension dimension_temperature = {.name = "temperature", UNITS(tem
 const struct dimension dimension_pressure = {.name = "pressure", UNITS(pressure_units)};
 const struct dimension dimension_storage = {.name = "amount of data", UNITS(storage_units)};
 const struct dimension dimension_colour = {.name = "colour temperature", UNITS(colour_units)};
+const struct dimension dimension_mass = {.name = "mass", UNITS(mass_units)};
 const struct dimension dimension_wavelength = {.name = "wavelength", UNITS(length_units)};
 const struct dimension dimension_wavelength_um = {.name = "wavelength", UNITS(wavelength_units)};
 
 const struct dimension *const dimensions[] = {
-    &dimension_length,    &dimension_angle,
-    &dimension_time,      &dimension_fnumber,
-    &dimension_ratio,     &dimension_vergence,
-    &dimension_number,    &dimension_iso,
-    &dimension_ev,        &dimension_stops,
-    &dimension_luminance, &dimension_illuminance,
-    &dimension_exposure,  &dimension_speed,
-    &dimension_rotation,  &dimension_frequency,
-    &dimension_rate,      &dimension_temperature,
-    &dimension_pressure,  &dimension_storage,
-    &dimension_colour,    NULL,
+    &dimension_length,
+    &dimension_angle,
+    &dimension_time,
+    &dimension_fnumber,
+    &dimension_ratio,
+    &dimension_vergence,
+    &dimension_number,
+    &dimension_iso,
+    &dimension_ev,
+    &dimension_stops,
+    &dimension_luminance,
+    &dimension_illuminance,
+    &dimension_exposure,
+    &dimension_speed,
+    &dimension_rotation,
+    &dimension_frequency,
+    &dimension_rate,
+    &dimension_temperature,
+    &dimension_pressure,
+    &dimension_storage,
+    &dimension_colour,
+    &dimension_mass,
+    NULL,
 };
 
 const struct unit *unit_find(const struct dimension *dimension, struct text name)

@@ -190,6 +190,7 @@ static bool agf_read_name(struct agf_reader *reader, struct error *error)
                                    .source = text_of(reader->words.source),
                                    .licence = {"", 0},
                                    .density = NAN,
+                                   .price = NAN,
                                    .expansion = NAN,
                                    .expansion_hot = NAN,
                                    .place = LENSDB_USER,
@@ -309,6 +310,16 @@ static bool read_properties(struct agf_reader *reader, struct error *error)
     return true;
 }
 
+/* OD price resistances ...; -1 and what is no number stand for a price that is not known */
+static bool agf_read_price(struct agf_reader *reader, struct error *error)
+{
+    struct pair price;
+    (void)error;
+    reader->glass->price =
+        agf_is_number(agf_words_next(&reader->words), &price) && price.hi > 0 ? price.hi : NAN;
+    return true;
+}
+
 static bool agf_read_range(struct agf_reader *reader, struct error *error)
 {
     struct glass *glass = &reader->glass->glass;
@@ -368,7 +379,7 @@ static bool read_transmittance(struct agf_reader *reader, struct error *error)
     return true;
 }
 
-/* Null: comments, prices and resistance to climate, acids and stain are passed over. */
+/* Null: comments are passed over. */
 static const struct {
     char keyword[3];
     bool (*read)(struct agf_reader *reader, struct error *error);
@@ -378,7 +389,7 @@ static const struct {
     {"ED", read_properties},
     {"LD", agf_read_range},
     {"IT", read_transmittance},
-    {"OD", NULL},
+    {"OD", agf_read_price},
     {"GC", NULL},
     {"CC", NULL},
 };

@@ -481,6 +481,7 @@ static struct glass_record made(struct glass glass, struct text name)
                                  .nd = NAN,
                                  .Vd = NAN,
                                  .density = NAN,
+                                 .price = NAN,
                                  .expansion = NAN,
                                  .expansion_hot = NAN};
 }

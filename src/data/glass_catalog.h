@@ -13,6 +13,7 @@ struct glass_record {
     struct text source, licence;
     double nd, Vd;                   /* as printed; NaN where not stated */
     double density;                  /* g/cm^3 */
+    double price;                    /* of a mass, as a share of the maker's usual crown */
     double expansion, expansion_hot; /* 1e-6/K, -30 to 70 and 20 (or 100) to 300 C */
     enum lensdb_place place;
     long line;            /* in an AGF file; else 0 */

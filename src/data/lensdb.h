@@ -70,7 +70,7 @@ bool lensdb_find(struct lensdb *db, const char *folder, const char *ending, stru
 bool lensdb_open(struct lensdb *db, enum lensdb_place place, const char *file, struct tsv *tsv,
                  struct error *error);
 
-enum { LENSDB_MOST_COLUMNS = 22 };
+enum { LENSDB_MOST_COLUMNS = 23 };
 
 /* Such a table being read, whose columns have known names. */
 struct lensdb_table {

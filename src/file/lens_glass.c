@@ -39,6 +39,8 @@ static bool find_by_name(const struct lens_glasses *glasses, enum glass_naming n
     *named = (struct named){record.glass, {record.nd, record.Vd}};
     medium->glass = named;
     medium->glass_index = index_of_named;
+    medium->density = record.density > 0 ? record.density : 0;
+    medium->price = record.price > 0 ? record.price : 0;
     medium->warning = record.warning;
     if (record.taken_as != NULL) {
         const char *taken = arena_printf(glasses->arena, "the glass is %s", record.taken_as);

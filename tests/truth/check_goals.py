@@ -202,6 +202,36 @@ def check_by_hand(program, checks, folder):
                     1e-12 * abs(wanted[goal]))
 
 
+def check_glass(program, checks, folder):
+    """Weight and cost of an equiconvex lens, two spherical caps of 3 r^2 + h^2 and a cylinder, of a
+    glass of 3.2 g/cm^3 and 2.5 times the price of a crown; prices that are not known."""
+    catalog, path = (os.path.join(folder, name) for name in ("own.agf", "caps.lens"))
+    with open(catalog, "w", encoding="utf-8") as file:
+        for name, price in (("OWN", "2.5 1 1 1 1 1"), ("UNKNOWN", "-1.0 1 1"), ("DASH", "- - -")):
+            file.write(f"NM {name} 1 0 1.6 50 0 0\nED 7 8 3.2 0\nCD 2.56 0 0 0 0 0\n"
+                       f"OD {price}\nLD 0.3 2.5\n")
+    with open(path, "w", encoding="utf-8") as file:
+        file.write("wavelength 600nm\naperture epd 20\nsurface 40 9 OWN 24 stop\n"
+                   "surface -40 50 air 24\n")
+    height = sag(40, 12)
+    caps = 2 * math.pi * height * (3 * 12 ** 2 + height ** 2) / 6
+    grams = 3.2e-3 * (caps + math.pi * 12 ** 2 * (9 - 2 * height))
+    wanted = {"weight=1": grams, "cost=1": 2.5 * grams, "aspect=2": 24 / 9, "ratio 1=3": 40 / 12,
+              "sag 2=1": -height, "slope 1=1": math.degrees(math.asin(12 / 40))}
+    for goal, value in zip(wanted, values(program, path, "R1", list(wanted), "--agf", catalog)):
+        checks.near("glass", goal, value, wanted[goal], 1e-12 * abs(wanted[goal]))
+    for name in ("UNKNOWN", "DASH"):
+        with open(path, encoding="utf-8") as file:
+            text = file.read().replace("OWN", name)
+        result = program.run("optimize", "-", "--vary", "R1", "--goals", "cost<9", "--agf", catalog,
+                             stdin=text)
+        checks.check(result.returncode == 1 and b"price of " + name.encode() in result.stderr,
+                     f"a price of {name}: {result.stderr.decode()}")
+    result = program.run("optimize", "double-gauss", "--vary", "R1", "--goals", "weight<9")
+    checks.check(result.returncode == 1 and b"density of 1.670/47.1" in result.stderr,
+                 f"a model glass: {result.stderr.decode()}")
+
+
 def main():
     """All of it."""
     program, checks = Program(sys.argv[1]), Checks()
@@ -213,6 +243,7 @@ def main():
         check_sections(program, checks, folder)
         check_telecentric(program, checks, folder)
         check_by_hand(program, checks, folder)
+        check_glass(program, checks, folder)
     for kind, (share, where) in sorted(checks.worst.items()):
         print(f"{kind}: at worst {share:.2g} of what is allowed, {where}")
     checks.finish()

@@ -7,6 +7,7 @@
 #include "cli/options/goals.h"
 #include "design/merit/merit.h"
 #include "file/lens_file.h"
+#include "file/lens_glass.h"
 
 /* A lens, what varies of it, and what is wanted. */
 struct merit_case {
@@ -22,6 +23,7 @@ enum { MERIT_MOST = 64 };
 
 struct merit_bench {
     struct arena *arena;
+    struct lens_glasses glasses;
     struct lens lens;
     struct variable list[MERIT_MOST];
     size_t count;
@@ -56,7 +58,9 @@ static inline bool merit_bench_look(struct merit_bench *bench, const struct meri
     *bench = (struct merit_bench){.arena = arena};
     db = (struct lensdb){.arena = arena};
     const struct goals_reader reader = {&db, &bench->lens, arena, "--goals", 1};
-    if (!lens_read(of->name, text_of(of->text), NULL, arena, &bench->lens, error) ||
+    bench->glasses = (struct lens_glasses){&db, arena};
+    const struct glass_source source = lens_glass_source(&bench->glasses);
+    if (!lens_read(of->name, text_of(of->text), &source, arena, &bench->lens, error) ||
         !merit_read_variables(bench, of->variables, error) ||
         !goals_read(&reader, text_of(of->goals), &bench->goals, error) ||
         !variables_open(&bench->lens, bench->list, bench->count, arena, &bench->variables, error)) {

@@ -353,6 +353,10 @@ static bool goals_check(const struct goal_parser *reading, struct text left, str
         static const char *const usual[OPERAND_KINDS] = {
             [OPERAND_INCIDENCE] = "< 45deg", [OPERAND_EDGE] = "> 1mm",
             [OPERAND_CENTER] = "> 1mm",      [OPERAND_AIR] = "> 1mm",
+            [OPERAND_TRACK] = "< 100mm",     [OPERAND_SAG] = "< 1mm",
+            [OPERAND_SLOPE] = "< 45deg",     [OPERAND_RATIO] = "> 1.2",
+            [OPERAND_ASPECT] = "< 10",       [OPERAND_WEIGHT] = "< 100g",
+            [OPERAND_COST] = "< 100",        [OPERAND_POWER] = "= 10dpt",
             [OPERAND_GRAZING] = "< 85deg",   [OPERAND_MTF] = "> 0.5",
             [OPERAND_GMTF] = "> 0.5"};
         const char *words = usual[reading->operand->kind];

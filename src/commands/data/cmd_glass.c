@@ -50,7 +50,7 @@ struct glass_command_row {
     double n, slope, group, dn_dT, transmittance, difference;
     double nd_wanted, Vd_wanted, nd_difference, Vd_difference, distance;
     struct glass_summary summary;
-    double from, to, density, expansion;
+    double from, to, density, price, expansion;
 };
 
 #define ROW struct glass_command_row
@@ -98,6 +98,8 @@ static const struct column columns[] = {
      .help = "longest wavelength of the formula"},
     {SHOWN(density), .name = "density_g_cm3", .flags = COLUMN_ECHO, .label = "density, g/cm3",
      .help = "density"},
+    {SHOWN(price), .name = "relative_price", .flags = COLUMN_HIDDEN, .label = "relative price",
+     .help = "of a mass of it, as its catalogue has it beside a usual crown"},
     {SHOWN(expansion), .name = "expansion_1e6_k", .flags = COLUMN_ECHO,
      .label = "expansion, 1e-6/K", .help = "linear thermal expansion from -30 to 70 C"},
     {SHOWN(catalog), .name = "catalog", BRIEF, .label = "catalogue", .help = "maker's catalogue"},
@@ -202,6 +204,7 @@ static bool glass_fill_row(struct question *question, const struct glass_record 
         .from = glass->shortest / 1000,
         .to = glass->longest / 1000,
         .density = record->density,
+        .price = record->price,
         .expansion = record->expansion,
         .thickness = input->thickness,
         .temperature = input->temperature,

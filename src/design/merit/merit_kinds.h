@@ -59,6 +59,38 @@ merit_prepare merit_prepare_incidence;
 merit_fill merit_fill_shape;
 merit_prepare merit_prepare_shape;
 
+/* -------- design/merit/merit_surface.c -------- */
+
+/*
+ * sag, slope, ratio: of surfaces that may be curved, a residual each.
+ *
+ * Formula   sag    z at the semi-diameter a, as merit_shape.h has it, to the right, mm
+ *           slope  largest angle of the surface within a, atan |dz/dr|, rad
+ *           ratio  |R|/a, R without A2: by its inverse, as merit_put_inverse has it
+ * Errors    no such surface; no diameter and no aperture; of ratio a target of 0
+ */
+merit_fill merit_fill_surface;
+merit_prepare merit_prepare_surface;
+
+/* -------- design/merit/merit_element.c -------- */
+
+/*
+ * aspect of each piece of glass behind the surfaces of the operand; weight and cost of all of them
+ * together. What is behind a mirror is that before it.
+ *
+ * Formula   aspect  2 b/t, b the larger of the two semi-diameters, t on the axis: by its inverse, as
+ *                   merit_put_inverse has it
+ *           weight  sum of the density times the volume of a cylinder of radius b between the two
+ *                   surfaces, each its curve up to its own semi-diameter and flat beyond, g
+ *           cost    the same sum, each weight times the price of a mass beside that of the maker's
+ *                   usual crown
+ * Source    derived here
+ * Errors    no glass there; a density or a price that is not known; no diameter and no aperture; of
+ *           aspect a target of 0
+ */
+merit_fill merit_fill_element;
+merit_prepare merit_prepare_element;
+
 /* -------- design/merit/merit_asbuilt.c -------- */
 
 /*

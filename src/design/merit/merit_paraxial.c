@@ -103,37 +103,22 @@ static size_t one_unless(bool wrong, const char *words, struct error *error)
 size_t merit_prepare_power(struct merit *merit, struct merit_slot *slot, struct arena *arena,
                            struct error *error)
 {
-    const double target = slot->operand->target;
     (void)merit;
     (void)arena;
-    return one_unless(!(fabs(target) > 0) || isinf(target),
-                      "a finite length that is not 0 must be its target", error);
+    return merit_inverse_check(slot->operand, error) ? 1 : 0;
 }
 
 bool merit_fill_power(struct merit *merit, const struct merit_slot *slot, double *residuals,
                       double *jacobian)
 {
-    const double target = slot->operand->target;
     const struct merit_figures *figures = merit_figures(merit, slot, slot->operand->wavelength);
     if (figures == NULL) {
         return false;
     }
     for (size_t j = 0; j < merit_columns(merit); j++) {
-        /* T/x, and how it goes on where that is far from T; and its derivative */
-        const struct dual x = dual_scale(merit_paraxial_member(&figures[j], slot), target);
-        double value = target / x.value, slope = -target / (x.value * x.value);
-        if (!(x.value >= 0.5)) {
-            slope = -4 * target;
-            value = 2 * target + slope * (x.value - 0.5);
-        } else if (x.value > 2) {
-            slope = -0.25 * target;
-            value = 0.5 * target + slope * (x.value - 2);
-        }
-        merit->change[j] = (struct dual){value, slope * x.slope};
+        merit->change[j] = merit_paraxial_member(&figures[j], slot);
     }
-    const bool done = merit_put(merit, slot, 0, residuals, jacobian);
-    merit->values[slot->first] = 1 / merit_paraxial_member(&figures[0], slot).value;
-    return done;
+    return merit_put_inverse(merit, slot, 0, residuals, jacobian);
 }
 
 /* -------- other figures of first order -------- */

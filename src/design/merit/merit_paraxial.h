@@ -6,11 +6,9 @@
 #include "design/merit/merit_state.h"
 
 /*
- * Lengths that are the inverse of a power: of the focal length, and of the Petzval radius.
+ * Lengths that are the inverse of a power: of the focal length, and of the Petzval radius; as
+ * merit_put_inverse has them.
  *
- * Formula   x = P T, T the target: (value - T)/deviation = T (1/x - 1)/deviation for x of 0.5 to 2,
- *           beyond by the tangents there: T (1 - 4 (x - 0.5)), T (-0.5 - 0.25 (x - 2))
- * Source    derived here; in the power it is smooth and falls all the way
  * Errors    of merit_prepare_power: a target of 0, or infinite
  */
 merit_fill merit_fill_power;

@@ -5,6 +5,7 @@
 #include "analysis/waves/wave_reference.h"
 #include "design/merit/merit_paraxial.h"
 #include "design/merit/merit_ray.h"
+#include "design/merit/merit_shape.h"
 
 #include <math.h>
 
@@ -18,8 +19,8 @@ static const size_t edge_rays[] = {0, 2, 3};
  *
  * Errors    no aperture
  */
-static bool merit_reach_open(struct merit *merit, const struct merit_slot *slot,
-                             struct arena *arena, struct error *error)
+bool merit_reach_open(struct merit *merit, const struct merit_slot *slot, struct arena *arena,
+                      struct error *error)
 {
     struct merit_place *place = &merit->places[slot->place];
     const size_t columns = merit->variable_count > 0 ? merit->variable_count : 1;
@@ -121,7 +122,7 @@ static bool find_edges(struct merit *merit, const struct merit_slot *slot)
  *           paraxial marginal and chief ray
  * Errors    merit->why: a ray is lost
  */
-static bool merit_reach(struct merit *merit, const struct merit_slot *slot)
+bool merit_reach(struct merit *merit, const struct merit_slot *slot)
 {
     struct merit_place *place = &merit->places[slot->place];
     if (place->reached == merit->evaluation) {
@@ -141,13 +142,6 @@ static bool merit_reach(struct merit *merit, const struct merit_slot *slot)
 
 /* -------- spaces -------- */
 
-/* Between two surfaces; what only is the stop does not end it. */
-struct space {
-    size_t left, right;
-    double direction; /* of the light */
-    bool is_air;
-};
-
 /* A place of it. */
 enum space_place { SPACE_AXIS, SPACE_EDGE, SPACE_PLACES };
 
@@ -157,7 +151,7 @@ static bool is_only_stop(const struct surface *surface)
 }
 
 /* The space behind a surface; false: there is none that counts. */
-static bool space_behind(const struct lens *lens, size_t surface, struct space *space)
+bool merit_space_behind(const struct lens *lens, size_t surface, struct space *space)
 {
     double direction = 1;
     for (size_t i = 0; i <= surface; i++) {
@@ -182,13 +176,8 @@ static bool merit_shape_is_wanted(enum operand_kind kind, const struct space *sp
 
 /* -------- the edge -------- */
 
-/* z of a surface at r, and its derivatives by c, k and r. */
-struct sag {
-    double value, by_curvature, by_conic, by_radius;
-};
-
 /* z = c u/(1 + s), s^2 = 1 - (1+k) c^2 u, u = r^2; and the series. */
-static struct sag sag_at(const struct surface *surface, double r)
+struct sag merit_sag_at(const struct surface *surface, double r)
 {
     struct sag sag = {0};
     if (!surface_has(surface, SURFACE_HAS_CURVE)) {
@@ -213,7 +202,7 @@ static struct sag sag_at(const struct surface *surface, double r)
 }
 
 /* How a sag at r changes by a number of its surface. */
-static double sag_slope(const struct sag *sag, double r, struct parameter basis)
+double merit_sag_slope(const struct sag *sag, double r, struct parameter basis)
 {
     if (basis.kind == PARAMETER_CURVATURE) {
         return sag->by_curvature;
@@ -228,7 +217,7 @@ static double sag_slope(const struct sag *sag, double r, struct parameter basis)
 }
 
 /* The semi-diameter of a surface by a variable: half its diameter, or where light comes. */
-static struct dual reach_of(const struct merit_place *place, size_t surface, size_t column)
+struct dual merit_reach_of(const struct merit_place *place, size_t surface, size_t column)
 {
     const struct surface *at = &place->lens->surfaces[surface];
     return at->has_diameter ? dual_of(at->diameter.value.hi / 2)
@@ -239,8 +228,8 @@ static struct dual reach_of(const struct merit_place *place, size_t surface, siz
 static struct dual merit_shape_edge_of(const struct merit_place *place, const struct space *space,
                                        size_t column)
 {
-    const struct dual left = reach_of(place, space->left, column);
-    const struct dual right = reach_of(place, space->right, column);
+    const struct dual left = merit_reach_of(place, space->left, column);
+    const struct dual right = merit_reach_of(place, space->right, column);
     return (left.value < right.value) == space->is_air ? left : right;
 }
 
@@ -254,8 +243,8 @@ static void merit_shape_measure(struct merit *merit, const struct merit_place *p
     const struct merit_light *light = &place->lights[0];
     const bool at_edge = where == SPACE_EDGE;
     const double r = at_edge ? merit_shape_edge_of(place, space, 0).value : 0;
-    const struct sag left = sag_at(&lens->surfaces[space->left], r);
-    const struct sag right = sag_at(&lens->surfaces[space->right], r);
+    const struct sag left = merit_sag_at(&lens->surfaces[space->left], r);
+    const struct sag right = merit_sag_at(&lens->surfaces[space->right], r);
     double value = right.value - left.value;
     for (size_t i = space->left; i < space->right; i++) {
         value += lens->surfaces[i].thickness.value.hi;
@@ -272,9 +261,9 @@ static void merit_shape_measure(struct merit *merit, const struct merit_place *p
         if (link->basis.kind == PARAMETER_THICKNESS) {
             slope = surface >= space->left && surface < space->right ? 1 : 0;
         } else if (surface == space->right) {
-            slope = at_edge ? sag_slope(&right, r, link->basis) : 0;
+            slope = at_edge ? merit_sag_slope(&right, r, link->basis) : 0;
         } else if (surface == space->left) {
-            slope = at_edge ? -sag_slope(&left, r, link->basis) : 0;
+            slope = at_edge ? -merit_sag_slope(&left, r, link->basis) : 0;
         }
         merit->change[link->variable].slope += space->direction * slope * link->slope;
     }
@@ -298,7 +287,7 @@ size_t merit_prepare_shape(struct merit *merit, struct merit_slot *slot, struct 
     struct space space;
     merit_surfaces(slot->operand, lens, &first, &end);
     for (size_t i = first; i < end && i < lens->surface_count; i++) {
-        if (space_behind(lens, i, &space)) {
+        if (merit_space_behind(lens, i, &space)) {
             count += merit_shape_is_wanted(kind, &space, SPACE_AXIS) +
                      merit_shape_is_wanted(kind, &space, SPACE_EDGE);
             reaches = reaches || wants_reach(lens, kind, &space);
@@ -323,7 +312,7 @@ bool merit_fill_shape(struct merit *merit, const struct merit_slot *slot, double
     }
     merit_surfaces(slot->operand, place->lens, &first, &end);
     for (size_t i = first; i < end && i < place->lens->surface_count; i++) {
-        const bool is_there = space_behind(place->lens, i, &space);
+        const bool is_there = merit_space_behind(place->lens, i, &space);
         for (int where = 0; is_there && where < SPACE_PLACES; where++) {
             if (!merit_shape_is_wanted(slot->operand->kind, &space, (enum space_place)where)) {
                 continue;

@@ -171,6 +171,35 @@ bool merit_put(struct merit *merit, const struct merit_slot *slot, size_t at, do
     return true;
 }
 
+bool merit_put_inverse(struct merit *merit, const struct merit_slot *slot, size_t at,
+                       double *residuals, double *jacobian)
+{
+    const double target = slot->operand->target, inverse = merit->change[0].value;
+    for (size_t j = 0; j < merit_columns(merit); j++) {
+        /* T/x, and how it goes on where that is far from T; and its derivative */
+        const struct dual x = dual_scale(merit->change[j], target);
+        double value = target / x.value, slope = -target / (x.value * x.value);
+        if (!(x.value >= 0.5)) {
+            slope = -4 * target;
+            value = 2 * target + slope * (x.value - 0.5);
+        } else if (x.value > 2) {
+            slope = -0.25 * target;
+            value = 0.5 * target + slope * (x.value - 2);
+        }
+        merit->change[j] = (struct dual){value, slope * x.slope};
+    }
+    const bool done = merit_put(merit, slot, at, residuals, jacobian);
+    merit->values[slot->first + at] = 1 / inverse;
+    return done;
+}
+
+bool merit_inverse_check(const struct operand *operand, struct error *error)
+{
+    return (fabs(operand->target) > 0 && !isinf(operand->target)) ||
+           fail(error, ERROR_DOMAIN, "a finite %s that is not 0 must be its target",
+                operand_type(operand->kind)->dimension == &dimension_length ? "length" : "number");
+}
+
 bool merit_needs_aperture(const struct merit_place *place, struct error *error)
 {
     return place->aperture.kind != APERTURE_NONE ||

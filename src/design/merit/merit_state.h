@@ -170,6 +170,22 @@ size_t merit_columns(const struct merit *merit);
 bool merit_put(struct merit *merit, const struct merit_slot *slot, size_t at, double *residuals,
                double *jacobian);
 
+/*
+ * Put a figure there that is the inverse of merit->change.
+ *
+ * Given     merit->change  its inverse 1/value, one a column; lost
+ * Result    as merit_put; the value may be infinite
+ * Formula   x = P T, T the target, P the inverse: (value - T)/deviation = T (1/x - 1)/deviation for
+ *           x of 0.5 to 2, beyond by the tangents there: T (1 - 4 (x - 0.5)), T (-0.5 - 0.25
+ *           (x - 2))
+ * Source    derived here; in the inverse it is smooth and falls all the way
+ */
+bool merit_put_inverse(struct merit *merit, const struct merit_slot *slot, size_t at,
+                       double *residuals, double *jacobian);
+
+/* Errors    ERROR_DOMAIN: its target is 0, or infinite */
+bool merit_inverse_check(const struct operand *operand, struct error *error);
+
 /* Errors    ERROR_DOMAIN: the lens has no aperture */
 bool merit_needs_aperture(const struct merit_place *place, struct error *error);
 

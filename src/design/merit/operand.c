@@ -18,6 +18,7 @@ enum {
 #define LENGTH &dimension_length, "mm"
 #define NUMBER &dimension_number, ""
 #define ANGLE  &dimension_angle, "deg"
+#define MASS   &dimension_mass, "g"
 #define POWER  &dimension_vergence, "dpt"
 
 /* clang-format off */
@@ -50,6 +51,15 @@ static const struct operand_type types[OPERAND_KINDS] = {
     [OPERAND_CENTER] = {"center", "thickness of glass on the axis", LENGTH, SURFACES | TARGET},
     [OPERAND_AIR] = {"air", "thickness of air, on the axis and at the edge", LENGTH,
                      SURFACES | TARGET},
+    [OPERAND_SAG] = {"sag", "of a surface at its clear edge", LENGTH, SURFACES | TARGET},
+    [OPERAND_SLOPE] = {"slope", "largest angle of a surface to its vertex", ANGLE,
+                       SURFACES | TARGET},
+    [OPERAND_RATIO] = {"ratio", "radius over semi-diameter of a surface", NUMBER,
+                       SURFACES | TARGET},
+    [OPERAND_ASPECT] = {"aspect", "diameter over centre thickness of glass", NUMBER,
+                        SURFACES | TARGET},
+    [OPERAND_WEIGHT] = {"weight", "of glass", MASS, SURFACES | TARGET},
+    [OPERAND_COST] = {"cost", "of glass, by weight and relative price", NUMBER, SURFACES | TARGET},
     [OPERAND_SPOT] = {"spot", "spots, each about its own centroid", LENGTH, RAYS},
     [OPERAND_POLY] = {"poly", "spots, of all wavelengths about one centroid", LENGTH, RAYS},
     [OPERAND_ASBUILT] = {"asbuilt", "the same, with what errors of a lens that is made add", LENGTH,
