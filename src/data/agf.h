@@ -57,8 +57,8 @@ struct agf_catalog {
  * Errors    of one glass, which is left out with ERROR_DATA, line, column and caret: a formula that
  *           is none of 1 to 13, no CD line, what is no number, a range that ends before it begins.
  *           Of the file: no glass, or more than 1000 that are damaged
- * Limits    an nd of 1 or 0, a Vd, density or expansion of 0, and D0 .. E1 that are all 0, a price of
- *           0 or below, mean that it is not known
+ * Limits    an nd of 1 or 0, a Vd, density or expansion of 0, D0 .. E1 that are all 0 and a price
+ *           that is not above 0 mean that it is not known
  */
 bool agf_read(const char *source, struct text content, struct arena *arena,
               struct agf_catalog *catalog, struct error *error);

@@ -85,9 +85,10 @@ static double steepest_of(const struct surface *surface, double a)
 }
 
 /*
- * Between a surface and the plane at its vertex, out to b: of a sphere h = z(a), pi h^2 (R - h/3) is
- * within the cap, and pi a^2 h less that outside of it; of a conic with K = 1 + k and s^2 = 1 - K c^2
- * a^2 that outside is pi (a^2 - 2 (1 - s^3)/(3 K c^2))/(K c), of A r^n 2 pi A a^(n+2)/(n+2).
+ * Between a surface and the plane at its vertex, out to b: of a sphere h = z(a), and within the
+ * cap is pi h^2 (R - h/3), outside of it pi a^2 h less that; of a conic with K = 1 + k and
+ * s^2 = 1 - K c^2 a^2 it is pi (a^2 - 2 (1 - s^3)/(3 K c^2))/(K c) there, of A r^n
+ * 2 pi A a^(n+2)/(n+2).
  */
 static double cap_of(const struct surface *surface, double a, double b)
 {

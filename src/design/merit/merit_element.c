@@ -130,7 +130,7 @@ static bool glass_check(enum operand_kind kind, const struct lens *lens, size_t 
     fail(error, ERROR_DOMAIN, "the %s of %.*s behind surface %zu is not known",
          is_dense ? "price" : "density", text_shown(medium->written), medium->written.start,
          surface + 1);
-    return is_dense ? error_hint(error, "lines OD of a catalogue in AGF have prices: {--agf}")
+    return is_dense ? error_hint(error, "lines OD of catalogues in AGF have prices")
                     : error_hint(error, "glasses of catalogues have one: N-BK7");
 }
 

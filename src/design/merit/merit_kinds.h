@@ -78,8 +78,8 @@ merit_prepare merit_prepare_surface;
  * aspect of each piece of glass behind the surfaces of the operand; weight and cost of all of them
  * together. What is behind a mirror is that before it.
  *
- * Formula   aspect  2 b/t, b the larger of the two semi-diameters, t on the axis: by its inverse, as
- *                   merit_put_inverse has it
+ * Formula   aspect  2 b/t, b the larger of the two semi-diameters, t on the axis: by its inverse,
+ *                   as merit_put_inverse has it
  *           weight  sum of the density times the volume of a cylinder of radius b between the two
  *                   surfaces, each its curve up to its own semi-diameter and flat beyond, g
  *           cost    the same sum, each weight times the price of a mass beside that of the maker's

@@ -10,8 +10,8 @@
 /*
  * dz/dr of a surface at r, and its derivatives by c, k and r.
  *
- * Formula   c r/s, s^2 = 1 - (1+k) c^2 r^2, and the series. A conic ends at s = 0; beyond s = 0.05 it
- *           goes on along its tangent in sqrt(1+k) c r, so that there is a way back
+ * Formula   c r/s, s^2 = 1 - (1+k) c^2 r^2, and the series. A conic ends at s = 0; beyond s = 0.05
+ *           it goes on along its tangent in sqrt(1+k) c r, so that there is a way back
  */
 static struct sag surface_slope_at(const struct surface *surface, double r)
 {
