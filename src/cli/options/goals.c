@@ -47,7 +47,7 @@ static bool hint_kinds(struct goal_parser *reading, struct text name, struct err
         if (kind != NULL) {
             nearest_offer(&nearest, text_of(kind));
         }
-        const char *alias = operand_type((enum operand_kind)i)->alias;
+        const char *alias = operand_alias((enum operand_kind)i);
         if (alias != NULL) {
             nearest_offer(&nearest, text_of(alias));
         }

@@ -43,8 +43,7 @@ static const struct operand_type types[OPERAND_KINDS] = {
                         W | F | OPERAND_NEEDS_FIELD | TARGET},
     [OPERAND_DISTORTION] = {"distortion", "of the chief ray, percent", NUMBER, W | F},
     [OPERAND_LATERAL] = {"lateral", "lateral colour in the image", LENGTH, ALL_W | F},
-    [OPERAND_TELECENTRIC] = {"telecentric", "angle of the chief ray in image space", ANGLE, W | F,
-                             "cra"},
+    [OPERAND_TELECENTRIC] = {"telecentric", "angle of the chief ray in image space", ANGLE, W | F},
     [OPERAND_INCIDENCE] = {"incidence", "largest angle of incidence", ANGLE,
                            W | F | SURFACES | TARGET},
     [OPERAND_EDGE] = {"edge", "thickness of glass at its edge", LENGTH, SURFACES | TARGET},
@@ -72,17 +71,23 @@ static const struct operand_type types[OPERAND_KINDS] = {
 };
 /* clang-format on */
 
+static const char *const aliases[OPERAND_KINDS] = {[OPERAND_TELECENTRIC] = "cra"};
+
 const struct operand_type *operand_type(enum operand_kind kind)
 {
     return &types[kind];
 }
 
+const char *operand_alias(enum operand_kind kind)
+{
+    return aliases[kind];
+}
+
 enum operand_kind operand_find(struct text name)
 {
     for (int i = 0; i < OPERAND_KINDS; i++) {
-        const struct operand_type *type = &types[i];
-        if ((type->name != NULL && text_same(name, type->name)) ||
-            (type->alias != NULL && text_same(name, type->alias))) {
+        if ((types[i].name != NULL && text_same(name, types[i].name)) ||
+            (aliases[i] != NULL && text_same(name, aliases[i]))) {
             return (enum operand_kind)i;
         }
     }

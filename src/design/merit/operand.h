@@ -117,9 +117,11 @@ struct operand_type {
     const struct dimension *dimension; /* of value, target and deviation */
     const char *unit;                  /* that a bare number is in */
     unsigned is;                       /* OPERAND_AT_WAVELENGTH .. */
-    const char *alias;                 /* another name; null: none */
 };
 const struct operand_type *operand_type(enum operand_kind kind);
+
+/* Another name of a kind; null: none. */
+const char *operand_alias(enum operand_kind kind);
 
 /* The kind of this name; OPERAND_KINDS: there is none. */
 enum operand_kind operand_find(struct text name);
