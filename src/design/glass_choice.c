@@ -11,16 +11,29 @@
 enum {
     NEAREST = 8, /* candidates that are tried for one model glass */
     LAST = 3,    /* glasses whose combinations are searched */
-    PAIR = 2     /* so many in all are tried in all combinations */
+    PAIR = 2,    /* so many in all are tried in all combinations */
+    BESIDE = 5,  /* candidates beside each glass of a pair that is exchanged */
+    MOST_EXCHANGES = 400 /* trials of exchanges of real glasses */
 };
 
 /* Conditions are met to this, in their deviations. */
 static const double exactly = 1e-10;
 
+/* An exchange of real glasses is worth it that gains this share of the merit. */
+static const double least_gain = 1e-4;
+
 /* How good a lens is. */
 struct glass_rank {
     double missed; /* of a condition; 0: it is met */
     double merit;
+};
+
+/* Glasses that take the places of others: of one surface, or of two at once. */
+struct glass_swap {
+    size_t count;
+    size_t surface[2];
+    const struct glass_candidate *glass[2];
+    double distance[2]; /* from what was there */
 };
 
 /* A lens some of whose glasses are real. */
@@ -30,15 +43,14 @@ struct glass_node {
     struct variable *list;           /* what still varies */
     size_t *origin;                  /* of these in the question's list */
     size_t count, depth;
-    struct glass_exchange exchange; /* that made it of its parent */
-    bool from_start;                /* it was found from there */
+    struct glass_swap swap; /* that made it of its parent */
+    bool from_start;        /* it was found from there */
     struct glass_rank rank;
 };
 
-/* A candidate in the place of a model glass, optimised. */
+/* A swap, optimised. */
 struct trial {
-    const struct glass_candidate *glass;
-    double distance;
+    struct glass_swap swap;
     struct glass_rank rank; /* infinite: the lens has no merit with it */
     double *numbers;
     bool from_start, is_stopped;
@@ -98,60 +110,79 @@ size_t glass_choice_models(const struct variables *variables, size_t *surfaces)
     return list_models(variables->lens, variables->list, variables->count, surfaces);
 }
 
-/* The candidates nearest to a model glass that the bounds of nd and Vd allow, nearest first; how
-   many. */
+/* The candidate that a surface of the lens has; null: a model, or a glass that was not chosen. */
+static const struct glass_candidate *candidate_of(const struct glass_choice_task *task,
+                                                  const struct medium *medium)
+{
+    for (size_t i = 0; i < task->candidate_count && medium->kind == MEDIUM_GLASS; i++) {
+        if (text_identical(task->candidates[i].medium.written, medium->written)) {
+            return &task->candidates[i];
+        }
+    }
+    return NULL;
+}
+
+/* The candidates nearest to what is behind a surface, a model glass or one of themselves, that the
+   bounds of nd and Vd allow, nearest first, without that itself; how many. */
 static size_t find_nearest_glasses(const struct glass_search_state *search,
                                    const struct glass_node *node, size_t surface,
-                                   struct trial trials[NEAREST])
+                                   struct glass_swap swaps[NEAREST])
 {
     const struct glass_choice_task *task = search->task;
-    const struct medium *model = &node->lens->surfaces[surface].medium;
+    const struct variables *variables = task->question->variables;
+    const struct medium *medium = &node->lens->surfaces[surface].medium;
+    const struct glass_candidate *own = candidate_of(task, medium);
+    const struct glass_candidate from =
+        own != NULL
+            ? *own
+            : (struct glass_candidate){.nd = medium->index.hi, .Vd = medium->abbe.hi};
     size_t count = 0;
     for (size_t i = 0; i < task->candidate_count; i++) {
         const struct glass_candidate *glass = &task->candidates[i];
-        const double nd = (glass->nd - model->index.hi) / 0.1;
-        const double Vd = (glass->Vd - model->abbe.hi) / 10;
-        const double P = isnan(glass->deviation) ? 0 : glass->deviation / 0.02;
+        const double nd = (glass->nd - from.nd) / 0.1, Vd = (glass->Vd - from.Vd) / 10;
+        const double off = glass->deviation - from.deviation;
+        const double P = isnan(off) ? 0 : off / 0.02;
         const double distance = sqrt(nd * nd + Vd * Vd + P * P);
-        bool is_allowed = true;
-        for (size_t k = 0; k < node->count; k++) {
-            const struct variable *one = &node->list[k];
+        bool is_allowed = glass != own;
+        for (size_t k = 0; k < variables->count; k++) {
+            const struct variable *one = &variables->list[k];
             if (one->what.surface == surface && parameter_is_of_medium(one->what.kind)) {
                 const double value = one->what.kind == PARAMETER_INDEX ? glass->nd : glass->Vd;
                 is_allowed = is_allowed && one->low <= value && value <= one->high;
             }
         }
-        if (!is_allowed || (count == NEAREST && !(distance < trials[count - 1].distance))) {
+        if (!is_allowed || (count == NEAREST && !(distance < swaps[count - 1].distance[0]))) {
             continue;
         }
         size_t at = count < NEAREST ? count++ : count - 1;
-        for (; at > 0 && distance < trials[at - 1].distance; at--) {
-            trials[at] = trials[at - 1];
+        for (; at > 0 && distance < swaps[at - 1].distance[0]; at--) {
+            swaps[at] = swaps[at - 1];
         }
-        trials[at] = (struct trial){.glass = glass, .distance = distance};
+        swaps[at] = (struct glass_swap){1, {surface}, {glass}, {distance}};
     }
     return count;
 }
 
-/* The model glass that is farthest from all candidates; what is tried in its place. */
-static size_t choose_surface(const struct glass_search_state *search, const struct glass_node *node,
-                             struct trial trials[NEAREST], size_t *count)
+/* What is tried in the place of the model glass that is farthest from all candidates; how many. */
+static size_t list_farthest(const struct glass_search_state *search, const struct glass_node *node,
+                            struct trial trials[NEAREST])
 {
-    size_t *surfaces = ARENA_ARRAY(search->arena, node->count + 1, size_t), chosen = LENS_NONE;
+    size_t *surfaces = ARENA_ARRAY(search->arena, node->count + 1, size_t), count = 0;
     const size_t models = list_models(node->lens, node->list, node->count, surfaces);
     double farthest = -1;
     for (size_t i = 0; i < models; i++) {
-        struct trial nearest[NEAREST];
+        struct glass_swap nearest[NEAREST];
         const size_t found = find_nearest_glasses(search, node, surfaces[i], nearest);
-        const double distance = found > 0 ? nearest[0].distance : INFINITY;
+        const double distance = found > 0 ? nearest[0].distance[0] : INFINITY;
         if (distance > farthest) {
             farthest = distance;
-            chosen = surfaces[i];
-            *count = found;
-            memcpy(trials, nearest, found * sizeof nearest[0]);
+            count = found;
+            for (size_t k = 0; k < found; k++) {
+                trials[k] = (struct trial){.swap = nearest[k]};
+            }
         }
     }
-    return chosen;
+    return count;
 }
 
 /* -------- lenses -------- */
@@ -177,17 +208,26 @@ static const struct lens *lens_with_medium(const struct lens *from, size_t at,
     return lens;
 }
 
-static struct glass_node node_with_glass(const struct glass_node *parent, size_t surface,
-                                         const struct glass_candidate *glass, struct arena *arena)
+static struct glass_node node_with_glasses(const struct glass_node *parent,
+                                           const struct glass_swap *swap, struct arena *arena)
 {
-    struct glass_node child = {.parent = parent, .depth = parent->depth + 1};
-    child.lens = lens_with_medium(parent->lens, surface, &glass->medium, arena);
-    child.start = lens_with_medium(parent->start, surface, &glass->medium, arena);
+    struct glass_node child = {.parent = parent,
+                               .lens = parent->lens,
+                               .start = parent->start,
+                               .depth = parent->depth + swap->count,
+                               .swap = *swap};
     child.list = ARENA_ARRAY(arena, parent->count + 1, struct variable);
     child.origin = ARENA_ARRAY(arena, parent->count + 1, size_t);
+    for (size_t k = 0; k < swap->count; k++) {
+        const struct medium *medium = &swap->glass[k]->medium;
+        child.lens = lens_with_medium(child.lens, swap->surface[k], medium, arena);
+        child.start = lens_with_medium(child.start, swap->surface[k], medium, arena);
+    }
     for (size_t i = 0; i < parent->count; i++) {
         const struct parameter *what = &parent->list[i].what;
-        if (what->surface != surface || !parameter_is_of_medium(what->kind)) {
+        const bool is_swapped = what->surface == swap->surface[0] ||
+                                (swap->count > 1 && what->surface == swap->surface[1]);
+        if (!is_swapped || !parameter_is_of_medium(what->kind)) {
             child.list[child.count] = parent->list[i];
             child.origin[child.count++] = parent->origin[i];
         }
@@ -218,7 +258,6 @@ static bool glass_choice_optimise(const struct glass_node *node, const struct le
 struct glass_trials {
     const struct glass_search_state *search;
     const struct glass_node *node;
-    size_t surface;
     struct trial *trials;
 };
 
@@ -238,7 +277,7 @@ static void try_pieces(void *context, const struct parallel_piece *piece)
             }
             const struct arena_mark mark = arena_mark(arena);
             const struct glass_node child =
-                node_with_glass(trying->node, trying->surface, trial->glass, arena);
+                node_with_glasses(trying->node, &trial->swap, arena);
             struct outcome *outcome = ARENA_NEW(arena, struct outcome);
             const struct optimize_answer *answer = &outcome->answer;
             if (glass_choice_optimise(&child, from_start == 1 ? child.start : child.lens, task,
@@ -262,9 +301,9 @@ static void try_pieces(void *context, const struct parallel_piece *piece)
 
 /* All of them, in the order of their loss; false: there is no time for it. */
 static bool try_all(struct glass_search_state *search, const struct glass_node *node,
-                    size_t surface, struct trial *trials, size_t count)
+                    struct trial *trials, size_t count)
 {
-    struct glass_trials trying = {search, node, surface, trials};
+    struct glass_trials trying = {search, node, trials};
     struct parallel *parallel = ARENA_NEW(search->arena, struct parallel);
     struct glass_choice *choice = search->choice;
     const struct optimize_task *how = search->task->how;
@@ -308,11 +347,28 @@ static bool is_promising(const struct glass_search_state *search, size_t models,
     return models <= LAST && (is_pair || is_better(trial->rank, search->best->rank));
 }
 
+/* The lens of a trial, with its numbers. */
+static struct glass_node *node_of_trial(const struct glass_node *parent, const struct trial *trial,
+                                        struct arena *arena)
+{
+    struct glass_node *node = ARENA_NEW(arena, struct glass_node);
+    struct variables variables;
+    struct error ignored;
+    *node = node_with_glasses(parent, &trial->swap, arena);
+    node->rank = trial->rank;
+    node->from_start = trial->from_start;
+    /* as its trial has opened them */
+    if (variables_open(node->lens, node->list, node->count, arena, &variables, &ignored)) {
+        node->lens = variables_lens(&variables, trial->numbers, arena);
+    }
+    return node;
+}
+
 static void glass_node_descend(struct glass_search_state *search, const struct glass_node *parent)
 {
     struct trial trials[NEAREST];
     struct arena *arena = search->arena;
-    size_t *surfaces = ARENA_ARRAY(arena, parent->count + 1, size_t), count = 0;
+    size_t *surfaces = ARENA_ARRAY(arena, parent->count + 1, size_t);
     const size_t models = list_models(parent->lens, parent->list, parent->count, surfaces);
     if (search->deepest == NULL || parent->depth > search->deepest->depth) {
         search->deepest = parent;
@@ -321,31 +377,95 @@ static void glass_node_descend(struct glass_search_state *search, const struct g
         search->best = parent; /* as it was entered, it is better */
         return;
     }
-    const size_t surface = choose_surface(search, parent, trials, &count);
-    const struct medium *model = &parent->lens->surfaces[surface].medium;
-    if (!try_all(search, parent, surface, trials, count)) {
+    const size_t count = list_farthest(search, parent, trials);
+    if (!try_all(search, parent, trials, count)) {
         return;
     }
     for (size_t i = 0; i < count && !search->choice->is_stopped; i++) {
-        const struct trial *trial = &trials[i];
-        if (!is_promising(search, models, trial)) {
-            continue;
+        if (is_promising(search, models, &trials[i])) {
+            glass_node_descend(search, node_of_trial(parent, &trials[i], arena));
         }
-        /* the lens of the trial, with its numbers */
-        struct glass_node *node = ARENA_NEW(arena, struct glass_node);
-        struct variables variables;
-        struct error ignored;
-        *node = node_with_glass(parent, surface, trial->glass, arena);
-        node->rank = trial->rank;
-        node->from_start = trial->from_start;
-        node->exchange = (struct glass_exchange){
-            surface,         model->index.hi,    model->abbe.hi,   trial->glass,
-            trial->distance, parent->rank.merit, trial->rank.merit};
-        /* as its trial has opened them */
-        if (variables_open(node->lens, node->list, node->count, arena, &variables, &ignored)) {
-            node->lens = variables_lens(&variables, trial->numbers, arena);
+    }
+}
+
+/* -------- exchanges of real glasses -------- */
+
+/* Of one glass all nearest, or of each two, both at once, some nearest of both; how many. */
+static size_t list_exchanges(const struct glass_search_state *search, const struct glass_node *node,
+                             const size_t *surfaces, bool are_pairs, struct trial *trials)
+{
+    size_t count = 0;
+    for (size_t a = 0; a < search->total; a++) {
+        struct glass_swap first[NEAREST], second[NEAREST];
+        const size_t firsts = find_nearest_glasses(search, node, surfaces[a], first);
+        for (size_t i = 0; i < firsts && !are_pairs; i++) {
+            trials[count++] = (struct trial){.swap = first[i]};
         }
-        glass_node_descend(search, node);
+        for (size_t b = a + 1; b < search->total && are_pairs; b++) {
+            const size_t seconds = find_nearest_glasses(search, node, surfaces[b], second);
+            for (size_t i = 0; i < firsts && i < BESIDE; i++) {
+                for (size_t k = 0; k < seconds && k < BESIDE; k++) {
+                    trials[count++].swap =
+                        (struct glass_swap){2,
+                                            {surfaces[a], surfaces[b]},
+                                            {first[i].glass[0], second[k].glass[0]},
+                                            {first[i].distance[0], second[k].distance[0]}};
+                }
+            }
+        }
+    }
+    return count;
+}
+
+/* Of a lens whose glasses are all real: one is exchanged, or two at once, as long as that gains. */
+static void glass_search_exchange(struct glass_search_state *search, const size_t *surfaces)
+{
+    const size_t n = search->total;
+    size_t left = MOST_EXCHANGES;
+    bool are_pairs = false;
+    while (left > 0 && !search->choice->is_stopped) {
+        const size_t most = n * NEAREST + n * n * BESIDE * BESIDE;
+        struct trial *trials = ARENA_ARRAY(search->arena, most, struct trial);
+        size_t count = list_exchanges(search, search->best, surfaces, are_pairs, trials);
+        count = count < left ? count : left;
+        left -= count;
+        if (!try_all(search, search->best, trials, count)) {
+            return;
+        }
+        if (count > 0 && is_better(trials[0].rank, search->best->rank) &&
+            trials[0].rank.merit < (1 - least_gain) * search->best->rank.merit) {
+            search->best = node_of_trial(search->best, &trials[0], search->arena);
+            are_pairs = false;
+        } else if (are_pairs || n == 1) {
+            return;
+        } else {
+            are_pairs = true;
+        }
+    }
+}
+
+/* What took whose place, from the first on. */
+static void glass_choice_tell(const struct glass_node *found, struct arena *arena,
+                              struct glass_choice *choice)
+{
+    choice->count = found->depth;
+    choice->exchanges = ARENA_ARRAY(arena, found->depth, struct glass_exchange);
+    for (const struct glass_node *node = found; node->parent != NULL; node = node->parent) {
+        for (size_t k = 0; k < node->swap.count; k++) {
+            const size_t surface = node->swap.surface[k];
+            const struct medium *was = &node->parent->lens->surfaces[surface].medium;
+            const bool is_model = was->kind == MEDIUM_MODEL;
+            choice->exchanges[node->depth - node->swap.count + k] =
+                (struct glass_exchange){.surface = surface,
+                                        .nd = is_model ? was->index.hi : (double)NAN,
+                                        .Vd = is_model ? was->abbe.hi : (double)NAN,
+                                        .replaced = is_model ? NULL : was->written.start,
+                                        .glass = node->swap.glass[k],
+                                        .distance = node->swap.distance[k],
+                                        .before = node->parent->rank.merit,
+                                        .after = node->rank.merit,
+                                        .is_joined = k + 1 < node->swap.count};
+        }
     }
 }
 
@@ -358,8 +478,7 @@ static bool glass_choice_keep(struct glass_search_state *search, const struct gl
     struct optimize_task how = *search->task->how;
     struct glass_choice_task task = *search->task;
     struct outcome *outcome = ARENA_NEW(search->arena, struct outcome);
-    const struct glass_node last = node_with_glass(found->parent, found->exchange.surface,
-                                                   found->exchange.glass, search->arena);
+    const struct glass_node last = node_with_glasses(found->parent, &found->swap, search->arena);
     const struct lens *start = found->from_start ? last.start : last.lens;
     if (choice->is_stopped) {
         start = found->lens;
@@ -375,11 +494,7 @@ static bool glass_choice_keep(struct glass_search_state *search, const struct gl
     choice->answer = outcome->answer;
     choice->origin = last.origin;
     choice->lens = variables_lens(&choice->variables, choice->answer.after.numbers, search->arena);
-    choice->count = found->depth;
-    choice->exchanges = ARENA_ARRAY(search->arena, found->depth, struct glass_exchange);
-    for (const struct glass_node *node = found; node->parent != NULL; node = node->parent) {
-        choice->exchanges[node->depth - 1] = node->exchange;
-    }
+    glass_choice_tell(found, search->arena, choice);
     return true;
 }
 
@@ -414,16 +529,19 @@ bool glass_choose(const struct glass_choice_task *task, struct arena *arena,
             }
         }
     }
-    struct trial trials[NEAREST];
+    struct glass_swap nearest[NEAREST];
     for (size_t i = 0; i < count; i++) {
-        if (find_nearest_glasses(&search, root, surfaces[i], trials) == 0) {
+        if (find_nearest_glasses(&search, root, surfaces[i], nearest) == 0) {
             return fail(error, ERROR_DOMAIN, "no glass lies within the bounds of glass%zu",
                         surfaces[i] + 1);
         }
     }
     glass_node_descend(&search, root);
+    if (search.best != NULL) {
+        glass_search_exchange(&search, surfaces);
+    }
     const struct glass_node *found = search.best != NULL ? search.best : search.deepest;
-    choice->missing = count - found->depth;
+    choice->missing = search.best != NULL ? 0 : count - found->depth;
     if (choice->missing > 0 && !choice->is_stopped) {
         *error = search.why;
         return error_prefix(error, "the lens has no merit with any of the glasses: ");

@@ -22,13 +22,15 @@ struct glass_choice_task {
     int threads;
 };
 
-/* One model glass and what took its place. */
+/* A glass and what took its place. */
 struct glass_exchange {
     size_t surface;
-    double nd, Vd; /* of the model, where it had got to */
+    double nd, Vd;        /* of a model, where it had got to; NaN: it was a real glass */
+    const char *replaced; /* that glass; null: it was a model */
     const struct glass_candidate *glass;
     double distance;      /* between them */
     double before, after; /* the merit, everything else optimised again */
+    bool is_joined;       /* the next one was made at the same time: both merits are of the two */
 };
 
 /* What was found. It must stay where it is. */
@@ -60,7 +62,10 @@ size_t glass_choice_models(const struct variables *variables, size_t *surfaces);
  *           last three glasses, and so many candidates of each, all combinations are searched,
  *           least loss first, but for those that cannot be better than the best so far: the merit
  *           with the remaining glasses free is a bound (branch and bound). Two glasses in all are
- *           tried without it
+ *           tried without it. Then real glasses are exchanged: one for each of the 8 nearest to it,
+ *           and where none of these gains two at once, each for the 5 nearest, of all pairs; the
+ *           best is taken, and it begins anew, until none gains 1e-4 of the merit or 400 lenses
+ *           have been tried
  *           distance: ((dn/0.1)^2 + (dV/10)^2 + (dP/0.02)^2)^(1/2) of nd, Vd and the deviation of
  *           PgF from the normal line, on which a model glass is taken to lie; the last term of
  *           glasses whose PgF is known

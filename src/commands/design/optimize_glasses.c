@@ -274,7 +274,7 @@ bool optimize_glasses_choose(struct optimize_job *job, struct error *error)
 
 struct optimize_glass_row {
     struct optimize_about about;
-    const char *glass;
+    const char *glass, *replaced;
     double model_nd, model_Vd, nd, Vd, distance, before, after, loss;
     long surface;
 };
@@ -287,6 +287,8 @@ static const struct column glass_columns[] = {
      .name = "model_nd", .label = "model nd", .help = "of the model glass, as it was optimised"},
     {COLUMN(struct optimize_glass_row, model_Vd), .flags = COLUMN_BRIEF, .name = "model_vd",
      .label = "model Vd", .help = "its Abbe number"},
+    {COLUMN_NAMED(struct optimize_glass_row, replaced, COLUMN_BRIEF | COLUMN_SPARSE),
+     .help = "the real glass whose place was taken afterwards; absent: it was the model"},
     {COLUMN_NAMED(struct optimize_glass_row, glass, COLUMN_BRIEF),
      .help = "what took its place; absent: there was no time"},
     {COLUMN_NAMED(struct optimize_glass_row, nd, COLUMN_BRIEF), .digits = 5,
@@ -301,7 +303,7 @@ static const struct column glass_columns[] = {
     {COLUMN(struct optimize_glass_row, after), .flags = COLUMN_BRIEF, .name = "merit_after",
      .label = "merit after", .help = "after it, everything else optimised again"},
     {COLUMN_NAMED(struct optimize_glass_row, loss, COLUMN_BRIEF),
-     .help = "how much the merit has grown"},
+     .help = "how much the merit has grown; of two exchanged at once in the row of the second"},
     OPTIMIZE_LENS_COLUMNS(struct optimize_glass_row),
 };
 
@@ -317,13 +319,16 @@ bool optimize_emit_glasses(struct optimize_job *job, struct error *error)
                                                .surface = (long)exchange->surface + 1,
                                                .model_nd = exchange->nd,
                                                .model_Vd = exchange->Vd,
+                                               .replaced = exchange->replaced,
                                                .glass = exchange->glass->medium.written.start,
                                                .nd = exchange->glass->nd,
                                                .Vd = exchange->glass->Vd,
                                                .distance = exchange->distance,
                                                .before = exchange->before,
                                                .after = exchange->after,
-                                               .loss = exchange->after - exchange->before};
+                                               .loss = exchange->is_joined
+                                                           ? (double)NAN
+                                                           : exchange->after - exchange->before};
         if (!run_emit(job->run, &row)) {
             break;
         }
