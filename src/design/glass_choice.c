@@ -266,7 +266,8 @@ static void try_pieces(void *context, const struct parallel_piece *piece)
 {
     const struct glass_trials *trying = context;
     const struct glass_choice_task *task = trying->search->task;
-    const bool is_few = trying->search->total <= LAST; /* the start is near still */
+    /* the start is near still */
+    const bool is_few = trying->search->total <= LAST && trying->search->best != trying->node;
     struct arena *arena = piece->arena;
     for (size_t i = piece->begin; i < piece->end; i++) {
         struct trial *trial = &trying->trials[i];
@@ -424,7 +425,7 @@ static void glass_search_exchange(struct glass_search_state *search, const size_
     size_t left = MOST_EXCHANGES;
     bool are_pairs = false;
     while (left > 0 && !search->choice->is_stopped) {
-        const size_t most = n * NEAREST + n * n * BESIDE * BESIDE;
+        const size_t most = 1 + n * NEAREST + n * n * BESIDE * BESIDE;
         struct trial *trials = ARENA_ARRAY(search->arena, most, struct trial);
         size_t count = list_exchanges(search, search->best, surfaces, are_pairs, trials);
         count = count < left ? count : left;

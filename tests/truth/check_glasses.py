@@ -4,7 +4,9 @@ check_glasses.py BUILD_DIR
 
 A thin achromat of N-BK7 and N-SF5 has the powers V1/(V1 - V2) and -V2/(V1 - V2) of its own, V from
 the makers' constants written out here. Of short lists every combination is optimised by itself:
-none is better than the one that was chosen.
+none is better than the one that was chosen. A search with glasses ends where a search and then an
+exchange of the glasses of each lens that was kept end. Of a triplet that two glasses together make
+better, no single one of the whole catalogue does, each optimised by itself.
 """
 # SPDX-License-Identifier: MIT
 
@@ -16,7 +18,7 @@ import tempfile
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-from harness import Checks, Program
+from harness import EVERYTHING, Checks, Program
 
 # B1 C1 B2 C2 B3 C3 of n^2 = 1 + sum B l^2/(l^2 - C)
 SELLMEIER = {
@@ -124,6 +126,62 @@ def check_best(checks, program, kind, text, models, names, vary, goals):
     checks.check(again == [answer], f"{kind}: another answer with three threads")
 
 
+def check_search(checks, program):
+    """In one command as in two."""
+    plates = write("plates.lens", DOUBLET, ("1.52/60", "1.65/35"))
+    b = "[-0.05,0.05]"
+    question = ("--vary", f"c1{b},c2{b},c3{b},t3[80,110],glass1,glass2", "--goals",
+                "poly,efl=100,axial=0:0.01")
+    search = ("optimize", plates, *question, "--rays", "12", "--global", "6", "--keep", "2")
+    glasses = ("--glasses", "N-BK7,N-SF5,N-LAK8")
+    both = program.rows(*search, *glasses)
+    kept = program.rows(*search, "-o", "kept.lens")
+    if not checks.check(isinstance(both, list) and isinstance(kept, list), f"{both} {kept}"):
+        return
+    apart = [float(program.rows("optimize", f"kept-{i + 1}.lens", *question, "--rays", "12",
+                                *glasses)[0]["merit_after"]) for i in range(len(kept))]
+    for row, wanted in zip(both, sorted(apart)):
+        checks.near("search", f"rank {row['rank']}", row["merit_after"], wanted, 1e-6 * wanted)
+    checks.check(len(both) == len(apart), f"{len(both)} lenses, not {len(apart)}")
+
+
+def check_pair(checks, program):
+    """None of all exchanges of one glass makes it better, and two at once do."""
+    text = program.run("convert", "cooke-triplet-50").stdout.decode()
+    write("cooke.lens", text.replace("{", "{{").replace("}", "}}"), ())
+    goals = ("--goals", "poly,efl==50,axial==0", "--vary")
+    rows = program.rows("optimize", "cooke.lens", *goals, "all-R,t2,t4,glass1,glass3,glass5",
+                        "--glasses", "HIKARI", "--show", "glasses", "-o", "found.lens")
+    if not checks.check(isinstance(rows, list) and len(rows) == 5, rows):
+        return
+    checks.check(rows[3]["loss"] == "" and rows[3]["merit_after"] == rows[4]["merit_after"],
+                 f"no pair: {rows}")
+    before, after = float(rows[4]["merit_before"]), float(rows[4]["merit_after"])
+    checks.check(after < 0.9 * before, f"a pair gains from {before} to {after} only")
+    glasses = {row["surface"]: row["glass"] for row in rows[:3]}
+    with open("found.lens") as file:
+        lines = file.read().splitlines()
+    first = next(at for at, line in enumerate(lines) if line.startswith("surface"))
+
+    def of(chosen):
+        for surface, glass in chosen.items():
+            words = lines[first + int(surface) - 1].split()
+            lines[first + int(surface) - 1] = " ".join([*words[:3], glass, *words[4:]])
+        with open("one.lens", "w") as file:
+            file.write("\n".join(lines) + "\n")
+        return merit(program, "one.lens", *goals, "all-R,t2,t4")
+
+    for row in program.rows("list", "glasses"):
+        if row["catalog"] == "HIKARI" and row["status"] != "obsolete":
+            for surface in glasses:
+                one = of({**glasses, surface: "HIKARI:" + row["glass"]})
+                checks.check(one > after * (1 + 1e-6),
+                             f"{row['glass']} alone in {surface}: {one}, the pair {after}")
+    two = of({**glasses, rows[3]["surface"]: rows[3]["glass"],
+              rows[4]["surface"]: rows[4]["glass"]})
+    checks.near("pair", "by itself", two, after, 1e-4 * after)
+
+
 def main():
     checks, program = Checks(), Program(sys.argv[1])
     with tempfile.TemporaryDirectory() as folder:
@@ -137,6 +195,9 @@ def main():
                    ("N-LAK21", "N-LASF46B", "N-FK58"), "c1,c2,c3,t3", "efl==100,axial==0,poly")
         check_best(checks, program, "triplet", TRIPLET, ("1.62/60", "1.62/36", "1.62/60"),
                    ("N-SK16", "F2HT"), "all-R,t2,t7", "efl=50,poly")
+        check_search(checks, program)
+        if EVERYTHING:
+            check_pair(checks, program)
     checks.finish()
 
 

@@ -66,7 +66,7 @@ static const struct option options[] = {
      .wants = "glasses|global",
      .help = "threads that try glasses, or search from starts; 0 = one per core"},
     {OPTION(struct optimize_input, global), .name = "global", .lowest = 1, .highest = 1e6,
-     .value = "COUNT", .excludes = "glasses",
+     .value = "COUNT",
      .help = "search from so many starts between the bounds of what varies: the lens itself, and "
              "others all over"},
     {OPTION(struct optimize_input, keep), .name = "keep", .lowest = 1, .highest = 1000,

@@ -162,14 +162,8 @@ bool optimize_glasses_open(struct optimize_job *job, struct error *error)
     if (input->glasses == NULL && input->show != OPTIMIZE_GLASSES) {
         return true;
     }
-    if (input->glasses == NULL && input->global == 0) {
-        return fail(error, ERROR_USAGE, "{--show} glasses needs {--glasses}");
-    }
     if (input->glasses == NULL) {
-        fail(error, ERROR_USAGE, "{--global} exchanges no glasses");
-        return error_hint(error,
-                          "write what it keeps by -o NEW.lens; a second run, with NEW.lens and "
-                          "{--glasses}, exchanges them");
+        return fail(error, ERROR_USAGE, "{--show} glasses needs {--glasses}");
     }
     if (glass_choice_models(&job->variables, surfaces) == 0) {
         fail(error, ERROR_DOMAIN, "{--glasses}: no model glass nd/Vd varies");

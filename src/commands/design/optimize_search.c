@@ -121,29 +121,78 @@ static size_t descend_last(struct optimize_job *job, size_t most, struct global_
     return count;
 }
 
+static bool is_better_job(const struct optimize_job *a, const struct optimize_job *b)
+{
+    const double missed = a->answer.summary.excess - b->answer.summary.excess;
+    return missed < 0 || (missed == 0 && a->answer.after.merit < b->answer.after.merit);
+}
+
 /*
- * The lenses that are kept, each a job of its own; what is no lens, as its surfaces lie behind each
- * other, is left out.
+ * The lenses of the last descents, each a job of its own, the best first. With --glasses each ends
+ * with real ones, which may be another order; of what is left of the time each has its share.
  *
+ * Result    how many there are; 0 with `error` set: none has a merit with the glasses
+ */
+static size_t list_kept(struct optimize_job *job, const struct global_kept *kept, size_t count,
+                        double until, struct optimize_job *all, struct error *error)
+{
+    struct watch *watch = job->run->watch;
+    size_t found = 0;
+    for (size_t i = 0; i < count; i++) {
+        struct optimize_job *one = &all[found];
+        *one = *job;
+        one->warning = NULL;
+        one->answer = kept[i].answer;
+        one->found = variables_lens(&job->variables, kept[i].answer.after.numbers, job->run->arena);
+        one->hits = (long)kept[i].hits;
+        if (job->input->glasses == NULL) {
+            found++;
+            continue;
+        }
+        const double now = progress_clock();
+        one->task = (struct optimize_task){.iterations = job->global->iterations,
+                                           .goes_on = optimize_search_goes_on,
+                                           .context = one};
+        one->until = isinf(until) ? until : now + fmax(until - now, 0) / (double)(count - i);
+        if (!optimize_glasses_choose(one, error)) {
+            continue;
+        }
+        one->is_late =
+            job->is_late || (!watch_is_ended(watch) && progress_clock() >= one->until);
+        job->evaluations += one->choice->evaluations;
+        const struct optimize_job done = *one;
+        size_t at = found++;
+        for (; at > 0 && is_better_job(&done, &all[at - 1]); at--) {
+            all[at] = all[at - 1];
+        }
+        all[at] = done;
+    }
+    for (size_t i = 0; i < found; i++) {
+        all[i].evaluations = job->evaluations;
+    }
+    return found;
+}
+
+/*
+ * The lenses that are kept; what is no lens, as its surfaces lie behind each other, is left out.
+ *
+ * Given     until  of what is done after the search, of progress_clock
  * Result    false: there were some, and all of them are none
  */
-static bool keep_lenses(struct optimize_job *job, struct error *error)
+static bool keep_lenses(struct optimize_job *job, double until, struct error *error)
 {
     const size_t most = optimize_keep_count(job->input);
     struct arena *arena = job->run->arena;
     struct global_kept *kept = ARENA_ARRAY(arena, most, struct global_kept);
     struct error *shortfall = &job->run->shortfall;
-    const size_t count = descend_last(job, most, kept);
-    job->kept = ARENA_ARRAY(arena, count + 1, struct optimize_job);
+    const size_t ended = descend_last(job, most, kept);
+    job->kept = ARENA_ARRAY(arena, ended + 1, struct optimize_job);
+    const size_t count = list_kept(job, kept, ended, until, job->kept, error);
     for (size_t i = 0; i < count; i++) {
         const struct error before = *shortfall;
         struct optimize_job *one = &job->kept[job->kept_count];
-        *one = *job;
-        one->warning = NULL;
-        one->answer = kept[i].answer;
-        one->found = variables_lens(&job->variables, kept[i].answer.after.numbers, arena);
+        *one = job->kept[i];
         one->rank = (long)job->kept_count + 1;
-        one->hits = (long)kept[i].hits;
         const bool is_lens = optimize_judge(one, error);
         if (!is_lens || one->rank > 1) {
             *shortfall = before; /* what the best lacks counts */
@@ -156,7 +205,7 @@ static bool keep_lenses(struct optimize_job *job, struct error *error)
             one->warning = arena_printf(arena, "lens %ld: %s", one->rank, one->warning);
         }
         one->warning = lens_warnings_join(job->warning, one->warning, arena);
-        if (job->is_late) {
+        if (one->is_late) {
             one->status = "the time is up";
         }
         if (job->incomplete != NULL) {
@@ -165,7 +214,7 @@ static bool keep_lenses(struct optimize_job *job, struct error *error)
             fail(shortfall, ERROR_DOMAIN, "%s", job->incomplete);
         }
     }
-    return count == 0 || job->kept_count > 0;
+    return ended == 0 || job->kept_count > 0;
 }
 
 /* All starts that are to be searched; how many of `all` are done, which is said. */
@@ -232,7 +281,8 @@ bool optimize_search(struct optimize_job *job, const struct merit_question *ques
                                        .end = (size_t)input->global};
     global->results = ARENA_ARRAY(arena, global->start_count, struct global_result);
     job->global = global;
-    const double until = isnan(input->seconds) ? INFINITY : progress_clock() + input->seconds;
+    const double begun = progress_clock();
+    const double seconds = isnan(input->seconds) ? INFINITY : input->seconds;
     job->until = INFINITY; /* what is searched is the same, however little time there is */
     if (input->keep > input->global) {
         return fail(error, ERROR_USAGE, "{--keep} %ld of {--global} %ld: at most one a start",
@@ -244,11 +294,12 @@ bool optimize_search(struct optimize_job *job, const struct merit_question *ques
     if (!drop_idle(job, *question, error) || !optimize_part_begin(job, error)) {
         return false;
     }
-    job->until = until;
+    /* half of the time is for the glasses */
+    job->until = begun + (input->glasses != NULL ? seconds / 2 : seconds);
     global->pause = job->state_path != NULL ? keep_state : NULL;
     const size_t all = job->run->parts != NULL ? global->start_count : global->end - global->begin;
     const size_t done = run_starts(job, all);
-    if (!keep_lenses(job, error)) {
+    if (!keep_lenses(job, begun + seconds, error)) {
         return false;
     }
     if (job->kept_count == 0 && all > 0 && done == 0) {
