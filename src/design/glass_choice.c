@@ -9,10 +9,10 @@
 #include <string.h>
 
 enum {
-    NEAREST = 8, /* candidates that are tried for one model glass */
-    LAST = 3,    /* glasses whose combinations are searched */
-    PAIR = 2,    /* so many in all are tried in all combinations */
-    BESIDE = 5,  /* candidates beside each glass of a pair that is exchanged */
+    NEAREST = 8,         /* candidates that are tried for one model glass */
+    LAST = 3,            /* glasses whose combinations are searched */
+    PAIR = 2,            /* so many in all are tried in all combinations */
+    BESIDE = 5,          /* candidates beside each glass of a pair that is exchanged */
     MOST_EXCHANGES = 400 /* trials of exchanges of real glasses */
 };
 
@@ -133,9 +133,8 @@ static size_t find_nearest_glasses(const struct glass_search_state *search,
     const struct medium *medium = &node->lens->surfaces[surface].medium;
     const struct glass_candidate *own = candidate_of(task, medium);
     const struct glass_candidate from =
-        own != NULL
-            ? *own
-            : (struct glass_candidate){.nd = medium->index.hi, .Vd = medium->abbe.hi};
+        own != NULL ? *own
+                    : (struct glass_candidate){.nd = medium->index.hi, .Vd = medium->abbe.hi};
     size_t count = 0;
     for (size_t i = 0; i < task->candidate_count; i++) {
         const struct glass_candidate *glass = &task->candidates[i];
@@ -277,8 +276,7 @@ static void try_pieces(void *context, const struct parallel_piece *piece)
                 continue;
             }
             const struct arena_mark mark = arena_mark(arena);
-            const struct glass_node child =
-                node_with_glasses(trying->node, &trial->swap, arena);
+            const struct glass_node child = node_with_glasses(trying->node, &trial->swap, arena);
             struct outcome *outcome = ARENA_NEW(arena, struct outcome);
             const struct optimize_answer *answer = &outcome->answer;
             if (glass_choice_optimise(&child, from_start == 1 ? child.start : child.lens, task,

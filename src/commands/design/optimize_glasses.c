@@ -309,20 +309,19 @@ bool optimize_emit_glasses(struct optimize_job *job, struct error *error)
     const struct glass_choice *choice = job->choice;
     for (size_t i = 0; i < choice->count; i++) {
         const struct glass_exchange *exchange = &choice->exchanges[i];
-        const struct optimize_glass_row row = {.about = optimize_about_of(job, i == 0),
-                                               .surface = (long)exchange->surface + 1,
-                                               .model_nd = exchange->nd,
-                                               .model_Vd = exchange->Vd,
-                                               .replaced = exchange->replaced,
-                                               .glass = exchange->glass->medium.written.start,
-                                               .nd = exchange->glass->nd,
-                                               .Vd = exchange->glass->Vd,
-                                               .distance = exchange->distance,
-                                               .before = exchange->before,
-                                               .after = exchange->after,
-                                               .loss = exchange->is_joined
-                                                           ? (double)NAN
-                                                           : exchange->after - exchange->before};
+        const struct optimize_glass_row row = {
+            .about = optimize_about_of(job, i == 0),
+            .surface = (long)exchange->surface + 1,
+            .model_nd = exchange->nd,
+            .model_Vd = exchange->Vd,
+            .replaced = exchange->replaced,
+            .glass = exchange->glass->medium.written.start,
+            .nd = exchange->glass->nd,
+            .Vd = exchange->glass->Vd,
+            .distance = exchange->distance,
+            .before = exchange->before,
+            .after = exchange->after,
+            .loss = exchange->is_joined ? (double)NAN : exchange->after - exchange->before};
         if (!run_emit(job->run, &row)) {
             break;
         }

@@ -157,8 +157,7 @@ static size_t list_kept(struct optimize_job *job, const struct global_kept *kept
         if (!optimize_glasses_choose(one, error)) {
             continue;
         }
-        one->is_late =
-            job->is_late || (!watch_is_ended(watch) && progress_clock() >= one->until);
+        one->is_late = job->is_late || (!watch_is_ended(watch) && progress_clock() >= one->until);
         job->evaluations += one->choice->evaluations;
         const struct optimize_job done = *one;
         size_t at = found++;
