@@ -66,9 +66,10 @@ def check_command(checks, asked):
                       ("bad rows", lambda *more: asked.batched(*more, rows=bad)),
                       ("own rows", lambda *more: asked.batched(*more, rows=own)),
                       ("own columns", lambda *more: asked.batched(*more, rows=shown))]
-    for kind, ask in questions:
-        for form in FORMS[::2] if command == "bench" and not EVERYTHING else FORMS:  # it takes times
-            for more in ([], ["--columns", names]) if names else ([],):
+    brief = command == "bench" and not EVERYTHING  # it takes times
+    for kind, ask in questions[::len(questions) - 1] if brief else questions:
+        for form in FORMS[::2] if brief else FORMS:
+            for more in ([], ["--columns", names])[brief:] if names else ([],):
                 name = f"{command} {kind} {form} {' '.join(more)[:40]}"
                 check_heads(checks, name, form, ask(form, *more))
 
