@@ -46,6 +46,7 @@ static bool open_eased(struct eased_merit *easing, const struct operand *operand
     if (!merit_open(&question, easing->arena, &easing->eased, error)) {
         return false;
     }
+    merit_aperture_of_wanted(&easing->eased);
     for (size_t i = 0; i < easing->eased.place_count; i++) {
         struct aperture_setting *aperture = &easing->eased.places[i].aperture;
         aperture->value *= aperture->kind == APERTURE_FNUMBER ? 1 / easing->share : easing->share;

@@ -34,6 +34,7 @@ static double least_of_goal(struct optimize_job *job, const struct merit_questio
     if (!merit_open(&asked, arena, &merit, &ignored)) {
         return NAN;
     }
+    merit_aperture_of_wanted(&merit);
     double *numbers = ARENA_ARRAY(arena, job->variables.count + 1, double), least = INFINITY;
     double *residuals = ARENA_ARRAY(arena, merit.residual_count + 1, double);
     variables_get(&job->variables, numbers);

@@ -288,6 +288,10 @@ static bool merit_bundle_open_image(struct merit_bundle *bundle, struct error *e
     }
     bundle->image = setup.image;
     bundle->image_moves = setup.focus != NULL && strcmp(setup.focus, "paraxial") == 0;
+    if (!isfinite(bundle->image) && setup.lens->focus != FOCUS_AFOCAL) {
+        bundle->image = 0; /* a lens that begins without an image gets one: merit_bundle_aim */
+        bundle->image_moves = true;
+    }
     return isfinite(bundle->image) ||
            fail(error, ERROR_DOMAIN,
                 "the image is infinitely far away: rays do not meet in a plane");

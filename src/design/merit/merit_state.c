@@ -94,6 +94,33 @@ static bool open_place(const struct merit *merit, size_t position, struct arena 
     return true;
 }
 
+/* The focal length that is wanted in a position, mm; NaN: none is. */
+static double merit_wanted_focal(const struct merit *merit, size_t position)
+{
+    const struct merit_question *question = &merit->question;
+    for (size_t i = 0; i < question->operand_count; i++) {
+        const struct operand *operand = &question->operands[i];
+        if (operand->kind == OPERAND_EFL && operand->target != 0 &&
+            (operand->position == LENS_NONE || operand->position == position)) {
+            return operand->target;
+        }
+    }
+    return lens_stated(question->lens, STATED_EFL, position);
+}
+
+void merit_aperture_of_wanted(struct merit *merit)
+{
+    for (size_t i = 0; i < merit->place_count; i++) {
+        struct merit_place *place = &merit->places[i];
+        const double focal = fabs(merit_wanted_focal(merit, place->position));
+        if (place->aperture.kind == APERTURE_FNUMBER && place->setup.first.is_afocal &&
+            isfinite(focal)) {
+            place->aperture =
+                (struct aperture_setting){APERTURE_EPD, focal / place->aperture.value};
+        }
+    }
+}
+
 bool merit_places_open(struct merit *merit, struct arena *arena, struct error *error)
 {
     const struct merit_question *question = &merit->question;

@@ -199,6 +199,13 @@ void merit_begin(struct merit *merit, const struct merit_question *question, str
  */
 bool merit_places_open(struct merit *merit, struct arena *arena, struct error *error);
 
+/*
+ * Of a lens that begins without power, the beam that its f-number stands for is that of the focal
+ * length which is wanted: of a goal, or stated. Places whose lens has power, or of which none is
+ * known, stay as they are.
+ */
+void merit_aperture_of_wanted(struct merit *merit);
+
 /* The lens with these numbers, in all places, for who looks at slots by himself; derives: with
    derivatives. */
 void merit_put_lens(struct merit *merit, const double *parameters, bool derives);
