@@ -2,6 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "design/optimize.h"
 
+#include "design/merit/merit_beams.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -22,6 +24,7 @@ struct eased_merit {
     bool is_whole, is_done; /* all goals count; the real one has a value */
     bool is_stopped;        /* by the caller */
     bool is_refused;        /* a goal cannot be had, now that more of the lens has a value */
+    bool has_wanted_beam;   /* that of the focal length that is wanted, for the lens's own */
     double *numbers;
 };
 
@@ -46,7 +49,7 @@ static bool open_eased(struct eased_merit *easing, const struct operand *operand
     if (!merit_open(&question, easing->arena, &easing->eased, error)) {
         return false;
     }
-    merit_aperture_of_wanted(&easing->eased);
+    easing->has_wanted_beam = merit_aperture_of_wanted(&easing->eased);
     for (size_t i = 0; i < easing->eased.place_count; i++) {
         struct aperture_setting *aperture = &easing->eased.places[i].aperture;
         aperture->value *= aperture->kind == APERTURE_FNUMBER ? 1 / easing->share : easing->share;
@@ -65,14 +68,15 @@ static bool open_most(struct eased_merit *easing, struct error *error)
 {
     const struct merit_question *question = &easing->task->merit->question;
     easing->is_whole = true;
-    for (size_t i = 1; i < sizeof shares / sizeof shares[0]; i++) {
+    for (size_t i = 0; i < sizeof shares / sizeof shares[0]; i++) {
         easing->share = shares[i];
         easing->is_refused =
             !open_eased(easing, question->operands, question->operand_count, error);
         if (easing->is_refused) {
             return false;
         }
-        if (eased_has_value(easing)) {
+        /* all of it is what has no value, but for a beam that is another */
+        if ((i > 0 || easing->has_wanted_beam) && eased_has_value(easing)) {
             return true;
         }
     }
@@ -152,6 +156,52 @@ static bool run_stage(struct eased_merit *easing, struct error *error)
     return true;
 }
 
+/* With what it is begun. */
+static const char *easing_words(const struct eased_merit *easing)
+{
+    if (!easing->is_whole) {
+        return "not all goals have a value at the start: it was begun with those that have one";
+    }
+    if (!(easing->share < 1)) {
+        return "the lens has no power at the start: it was begun with the beam of the focal length "
+               "that is wanted";
+    }
+    return arena_printf(easing->arena,
+                        "rays were lost at the start: it was begun with %.0f %% of aperture and "
+                        "field",
+                        100 * easing->share);
+}
+
+/* Why the lens cannot be judged, and what was done; is_untried: nothing could be. */
+static bool easing_fail(const struct eased_merit *easing, const struct error *why, bool is_untried,
+                        struct error *error)
+{
+    if (easing->is_refused && is_untried) {
+        return error_prefix(error,
+                            "the lens cannot be judged as it is: %s; with %.0f %% of the "
+                            "field: ",
+                            why->message, 100 * easing->share);
+    }
+    *error = *why;
+    if (easing->is_stopped) {
+        return error_prefix(error, "stopped before the lens became one that can be judged: ");
+    }
+    const bool is_partial = is_untried || !easing->is_whole;
+    if (is_partial && merit_lacks_power(easing->task->merit)) {
+        fail(error, ERROR_DOMAIN,
+             "the lens has no power, and nothing says what its focal length is to be");
+        return error_hint(error, "give a goal such as efl = 100, or the line 'stated efl 100'");
+    }
+    if (is_partial) {
+        return error_prefix(error, "the lens cannot be judged as it is: ");
+    }
+    if (error->hint[0] == '\0') {
+        error_hint(error, "begin with a larger f-number, smaller fields or other numbers");
+    }
+    return error_prefix(error, "the lens cannot be judged as it is, nor after it was made better "
+                               "with less aperture and field: ");
+}
+
 bool optimize_begin(const struct optimize_task *task, double *numbers, struct arena *arena,
                     const char **words, struct error *error)
 {
@@ -173,13 +223,7 @@ bool optimize_begin(const struct optimize_task *task, double *numbers, struct ar
             break;
         }
         if (*words == NULL) {
-            *words = easing.is_whole
-                         ? arena_printf(arena,
-                                        "rays were lost at the start: it was begun with %.0f %% of "
-                                        "aperture and field",
-                                        100 * easing.share)
-                         : "not all goals have a value at the start: it was begun with those that "
-                           "have one";
+            *words = easing_words(&easing);
         }
         const double reached = easing.is_whole ? easing.share : 0;
         if (stage > 0 && !(reached > last)) {
@@ -193,26 +237,7 @@ bool optimize_begin(const struct optimize_task *task, double *numbers, struct ar
     if (easing.is_done) {
         return true;
     }
-    if (easing.is_refused && last < 0) {
-        return error_prefix(error,
-                            "the lens cannot be judged as it is: %s; with %.0f %% of the "
-                            "field: ",
-                            why.message, 100 * easing.share);
-    }
-    *error = why;
-    /* Why it cannot be judged, and what was done. */
-    bool is_untried = last < 0;
-    if (easing.is_stopped) {
-        return error_prefix(error, "stopped before the lens became one that can be judged: ");
-    }
-    if (is_untried || !easing.is_whole) {
-        return error_prefix(error, "the lens cannot be judged as it is: ");
-    }
-    if (error->hint[0] == '\0') {
-        error_hint(error, "begin with a larger f-number, smaller fields or other numbers");
-    }
-    return error_prefix(error, "the lens cannot be judged as it is, nor after it was made better "
-                               "with less aperture and field: ");
+    return easing_fail(&easing, &why, last < 0, error);
 }
 
 /* -------- and on from there -------- */
@@ -247,6 +272,52 @@ static bool optimize_look(struct merit *merit, struct optimize_state *state, dou
     state->merit = 0;
     for (size_t i = 0; i < merit->residual_count - merit->exact_count; i++) {
         state->merit += state->residuals[i] * state->residuals[i];
+    }
+    return true;
+}
+
+/* The field of a residual of rays, counted from 1, in words. */
+static const char *optimize_field_of(const struct merit *merit, const struct merit_slot *slot,
+                                     size_t residual)
+{
+    const enum operand_kind kind = slot->operand->kind;
+    size_t field = LENS_NONE;
+    if (kind != OPERAND_SPOT && kind != OPERAND_POLY && kind != OPERAND_OPD) {
+        return "";
+    }
+    const struct merit_bundle *bundle = &slot->beams->bundle;
+    for (size_t i = 0; i < bundle->group_count; i++) {
+        field = bundle->groups[i].row <= residual ? bundle->groups[i].field : field;
+    }
+    return arena_printf(merit->arena, " for a ray of field %zu", field + 1);
+}
+
+/* A solver begins with numbers: what is none, a goal or its derivative by a variable. */
+static bool optimize_check_numbers(const struct merit *merit, const double *residuals,
+                                   const double *jacobian, struct error *error)
+{
+    const size_t n = merit->variable_count;
+    for (size_t i = 0; i < merit->slot_count; i++) {
+        const struct merit_slot *slot = &merit->slots[i];
+        for (size_t k = 0; k < slot->count; k++) {
+            const size_t row = slot->first + k;
+            size_t j = 0;
+            while (j < n && isfinite(jacobian[row * n + j])) {
+                j++;
+            }
+            if (!isfinite(residuals[row])) {
+                return fail(error, ERROR_DOMAIN,
+                            "the goal %s is not a number%s where the lens begins",
+                            slot->operand->name, optimize_field_of(merit, slot, k));
+            }
+            if (j < n) {
+                const char *name = merit->question.variables->list[j].name;
+                fail(error, ERROR_DOMAIN,
+                     "the goal %s has no derivative by %s%s where the lens begins",
+                     slot->operand->name, name, optimize_field_of(merit, slot, k));
+                return error_hint(error, "begin with another %s, or hold it", name);
+            }
+        }
     }
     return true;
 }
@@ -308,10 +379,13 @@ static bool optimize_run_once(struct optimize_progress *running, double *jacobia
                                        .after = new_state(merit, arena),
                                        .is_idle = ARENA_ARRAY(arena, merit->variable_count, bool)};
     struct optimize_state *before = &answer->before, *after = &answer->after;
-    variables_get(merit->question.variables, before->numbers);
-    memcpy(after->numbers, task->start != NULL ? task->start : before->numbers,
-           merit->variable_count * sizeof(double));
-    if (task->start != NULL && !optimize_look(merit, before, NULL)) {
+    const struct variables *variables = merit->question.variables;
+    const size_t row = merit->variable_count * sizeof(double);
+    memcpy(before->numbers, variables->own, row);
+    memcpy(after->numbers, task->start != NULL ? task->start : variables->start, row);
+    /* a lens outside of its bounds, too, is not begun with its own numbers */
+    const bool is_elsewhere = task->start != NULL || variables_moved(variables, arena) != NULL;
+    if (is_elsewhere && !optimize_look(merit, before, NULL)) {
         judge_as_nothing(merit, before);
     }
     if (!optimize_begin(task, after->numbers, arena, &answer->begun, error)) {
@@ -321,13 +395,16 @@ static bool optimize_run_once(struct optimize_progress *running, double *jacobia
         *error = merit->why;
         return error_prefix(error, "the lens cannot be judged where it is begun: ");
     }
+    if (!optimize_check_numbers(merit, after->residuals, jacobian, error)) {
+        return false;
+    }
     for (size_t j = 0; j < merit->variable_count; j++) {
         answer->is_idle[j] = true;
     }
     optimize_find_effects(merit, after->residuals, jacobian, answer->is_idle);
-    if (task->start == NULL && answer->begun != NULL) {
+    if (!is_elsewhere && answer->begun != NULL) {
         judge_as_nothing(merit, before);
-    } else if (task->start == NULL) { /* the lens as it was, that is begun with its own numbers */
+    } else if (!is_elsewhere) { /* the lens as it was, that is begun with its own numbers */
         before->merit = after->merit;
         memcpy(before->residuals, after->residuals, size);
         memcpy(before->values, after->values, size);

@@ -241,20 +241,25 @@ static bool variable_is_within(double value, double low, double high)
     return low <= high ? low <= value && value <= high : value >= low || value <= high;
 }
 
-/* Messages have the unit that the value is shown in. */
-static bool variable_check_bounds(const struct variable *one, double value, struct error *error)
+/* The unit that a value is shown in, and what it is multiplied by for that. */
+static const char *variable_unit(const struct variable *one, double *factor)
 {
     const int length = parameter_length(one->what.kind, one->what.order);
     const bool is_angle = (parameter_type(one->what.kind)->is & PARAMETER_IS_ANGLE) != 0;
-    const double factor = is_angle ? 1 / RADIANS_PER_DEGREE : 1;
-    const char *unit = "";
+    *factor = is_angle ? 1 / RADIANS_PER_DEGREE : 1;
     if (is_angle) {
-        unit = " deg";
-    } else if (length == 1) {
-        unit = " mm";
-    } else if (length == -1) {
-        unit = " /mm";
+        return " deg";
     }
+    if (length == 1) {
+        return " mm";
+    }
+    return length == -1 ? " /mm" : "";
+}
+
+static bool variable_check_bounds(const struct variable *one, struct error *error)
+{
+    double factor;
+    const char *unit = variable_unit(one, &factor);
     double low = factor * one->low, high = factor * one->high;
     bool inverse = is_inverse(one->what.kind), turned = inverse && one->low > 0 && one->high < 0;
     if (isnan(low) || isnan(high) || (!(low < high) && !turned)) {
@@ -268,12 +273,30 @@ static bool variable_check_bounds(const struct variable *one, double value, stru
         return isfinite(low) && isfinite(high) &&
                error_hint(error, "through a plane it is %s[%.10g,%.10g]", one->name, high, low);
     }
-    if (!variable_is_within(value, one->low, one->high)) {
-        fail(error, ERROR_DOMAIN, "%s is %.10g%s, which is not within its bounds %.10g to %.10g%s",
-             one->name, factor * value, unit, low, high, unit);
-        return error_hint(error, "start within them, or make them wider");
-    }
     return true;
+}
+
+const char *variables_moved(const struct variables *variables, struct arena *arena)
+{
+    const char *words = NULL;
+    for (size_t i = 0; i < variables->count; i++) {
+        const struct variable *one = &variables->list[i];
+        const bool inverse = is_inverse(one->what.kind);
+        double factor;
+        const char *unit = variable_unit(one, &factor);
+        const double own = inverse ? 1 / variables->own[i] : variables->own[i];
+        const double start = inverse ? 1 / variables->start[i] : variables->start[i];
+        if (variable_is_within(own, one->low, one->high) || start == own) {
+            continue;
+        }
+        const char *is = isinf(own) && inverse ? "that of a plane"
+                                               : arena_printf(arena, "%.10g%s", factor * own, unit);
+        words = arena_printf(
+            arena, "%s%s%s is %s, outside of its bounds %.10g to %.10g%s: it begins at %.10g%s",
+            words != NULL ? words : "", words != NULL ? "; " : "", one->name, is, factor * one->low,
+            factor * one->high, unit, factor * start, unit);
+    }
+    return words;
 }
 
 /* Of a glass within the map; one that was written with fewer digits lies on its border still. */
@@ -374,6 +397,7 @@ static void open_room(struct variables *variables, struct arena *arena)
     const size_t count = variables->count, cells = lens->surface_count, rules = lens->pickup_count;
     const size_t most = count * (1 + cells) + 4 * rules;
     variables->position_count = lens->position_count > 0 ? lens->position_count : 1;
+    variables->own = ARENA_ARRAY(arena, count + 1, double);
     variables->start = ARENA_ARRAY(arena, count + 1, double);
     variables->low = ARENA_ARRAY(arena, count + 1, double);
     variables->high = ARENA_ARRAY(arena, count + 1, double);
@@ -405,13 +429,15 @@ static void open_values(struct variables *variables, struct arena *arena)
         size_t position = drive->position == LENS_NONE ? 0 : drive->position;
         double value = variables->values[position * numbers + drive->number];
         if (drive->share == LENS_NONE) {
-            const size_t at = drive->variable; /* is_within gives it some slack */
+            const size_t at = drive->variable;
+            variables->own[at] = value;
             variables->start[at] = fmin(fmax(value, variables->low[at]), variables->high[at]);
         } else {
             struct parameter index = variables->numbers[drive->number].what;
             index.kind = PARAMETER_INDEX;
             double nd = parameter_get(&variables->lenses[0].lens, index);
             variables->start[drive->share] = variable_share_within(nd, value);
+            variables->own[drive->share] = variables->start[drive->share];
         }
     }
 }
@@ -433,12 +459,10 @@ bool variables_open(const struct lens *lens, const struct variable *list, size_t
     }
     for (size_t i = 0; i < count; i++) {
         const struct variable *one = &variables->list[i];
-        const size_t position = one->position == LENS_NONE ? 0 : one->position;
         if (!check_what(lens, one, error) || !check_alone(variables, i, error)) {
             return false;
         }
-        const double value = parameter_get(&variables->lenses[position].lens, one->what);
-        if (!variable_check_bounds(one, value, error)) {
+        if (!variable_check_bounds(one, error)) {
             return one->place.source != NULL &&
                    error_locate(error, one->place.source, one->place.line, one->place.column);
         }

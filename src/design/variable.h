@@ -50,8 +50,9 @@ struct variable_rule {
 struct variables {
     const struct lens *lens; /* in all its positions */
     struct variable *list;
-    size_t count, position_count; /* one position at least */
-    double *start, *low, *high, *scale;
+    size_t count, position_count;       /* one position at least */
+    double *own;                        /* those that the lens has */
+    double *start, *low, *high, *scale; /* start: the same, or the bound that is nearest to it */
     struct variable_number *numbers;
     struct variable_drive *drives;
     struct variable_rule *rules;
@@ -73,14 +74,17 @@ struct variables {
  *           thicknesses, L/100 of decentres, 0.01 of tilts, 1 of conics, r^(2 - n)/2L of A_n with
  *           the surface's semi-diameter r, 0.1 of indices, 10 of Abbe numbers, 0.5 of shares
  * Errors    ERROR_DOMAIN: no such number (parameter_check), one that is varied twice or follows
- *           another, bounds that contradict each other, a start outside of them or of the glass
- *           map, a pick-up without a finite number
+ *           another, bounds that contradict each other, a start outside of the glass map, a pick-up
+ *           without a finite number
  */
 bool variables_open(const struct lens *lens, const struct variable *list, size_t count,
                     struct arena *arena, struct variables *variables, struct error *error);
 
-/* The numbers that the lens has. */
+/* Where it begins: the numbers that the lens has, those outside of their bounds at the nearest. */
 void variables_get(const struct variables *variables, double *v);
+
+/* Those that lie outside of their bounds, in words; null: none does. */
+const char *variables_moved(const struct variables *variables, struct arena *arena);
 
 /*
  * The lens with these numbers, in a position.

@@ -403,6 +403,10 @@ bool optimize_judge(struct optimize_job *job, struct error *error)
     const enum solver_status status = job->answer.summary.status;
     struct lens_warnings warnings;
     job->status = status == SOLVER_STOPPED && job->is_late ? "the time is up" : words[status];
+    const char *moved = variables_moved(&job->variables, job->run->arena);
+    if (moved != NULL) {
+        optimize_warn(job, "%s", moved);
+    }
     if (job->answer.begun != NULL) {
         optimize_warn(job, "%s", job->answer.begun);
     }

@@ -108,8 +108,20 @@ static double merit_wanted_focal(const struct merit *merit, size_t position)
     return lens_stated(question->lens, STATED_EFL, position);
 }
 
-void merit_aperture_of_wanted(struct merit *merit)
+bool merit_lacks_power(const struct merit *merit)
 {
+    bool lacks = false;
+    for (size_t i = 0; i < merit->place_count; i++) {
+        const struct merit_place *place = &merit->places[i];
+        lacks = lacks ||
+                (place->setup.first.is_afocal && isnan(merit_wanted_focal(merit, place->position)));
+    }
+    return lacks;
+}
+
+bool merit_aperture_of_wanted(struct merit *merit)
+{
+    bool changed = false;
     for (size_t i = 0; i < merit->place_count; i++) {
         struct merit_place *place = &merit->places[i];
         const double focal = fabs(merit_wanted_focal(merit, place->position));
@@ -117,8 +129,10 @@ void merit_aperture_of_wanted(struct merit *merit)
             isfinite(focal)) {
             place->aperture =
                 (struct aperture_setting){APERTURE_EPD, focal / place->aperture.value};
+            changed = true;
         }
     }
+    return changed;
 }
 
 bool merit_places_open(struct merit *merit, struct arena *arena, struct error *error)

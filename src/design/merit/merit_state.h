@@ -203,8 +203,13 @@ bool merit_places_open(struct merit *merit, struct arena *arena, struct error *e
  * Of a lens that begins without power, the beam that its f-number stands for is that of the focal
  * length which is wanted: of a goal, or stated. Places whose lens has power, or of which none is
  * known, stay as they are.
+ *
+ * Result    some are changed
  */
-void merit_aperture_of_wanted(struct merit *merit);
+bool merit_aperture_of_wanted(struct merit *merit);
+
+/* Has the lens no power where it begins, and does nothing say what it is to be? */
+bool merit_lacks_power(const struct merit *merit);
 
 /* The lens with these numbers, in all places, for who looks at slots by himself; derives: with
    derivatives. */

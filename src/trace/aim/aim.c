@@ -26,6 +26,11 @@ bool aim_open_near(const struct system *system, const struct beam *beam, struct 
         fail(error, ERROR_DOMAIN, "the stop has no diameter: the size of the pupil is not known");
         return error_hint(error, "give an f-number, or a diameter in the file");
     }
+    if (isinf(system->stop_radius)) {
+        return fail(error, ERROR_DOMAIN,
+                    "the stop would be infinitely wide: the lens has no power, and its f-number "
+                    "stands for no beam");
+    }
     if (!(system->stop_radius <= 1e100)) {
         return fail(error, ERROR_DOMAIN, "the stop would have a radius of %.3g mm: at most 1e100",
                     system->stop_radius);

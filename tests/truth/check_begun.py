@@ -1,0 +1,127 @@
+#!/usr/bin/env python3
+"""tests/truth/check_begun.py - designs that begin where there is no lens yet: check_begun.py BUILD
+
+Two plane plates have no power: no image, and at an f-number no beam. The achromat that they become
+has the powers V1/(V1 - V2) and -V2/(V1 - V2) of thin lenses, the focal length that the file states
+and, by rays traced here, small spots on the axis. A number outside of its bounds begins at the
+nearest one.
+"""
+# SPDX-License-Identifier: MIT
+
+import math
+import os
+import sys
+import tempfile
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from harness import Checks, Program
+from meridional import first_order, rms_on_axis, GAUSS
+
+EFL, FNUMBER = 150.0, 6.0
+GLASSES = ((1.56883, 55.98), (1.72828, 28.53))
+THICKNESSES = (7.0, 3.5)
+WIDE = 1000.0  # a clear diameter that ends nothing
+PLATES = """lens plates
+wavelength d F C
+field angle 0 1.2
+aperture f/6
+{stated}
+focus {focus}
+surface - 7 1.56883/55.98 - c~ {stop}
+surface - 3.5 1.72828/28.53 - c~
+surface - 145 air - c~{more}
+"""
+
+
+def plates(folder, **what):
+    """A file of plane plates."""
+    words = {"stated": "stated efl 150", "focus": "paraxial", "stop": "stop", "more": "", **what}
+    path = os.path.join(folder, "plates.lens")
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(PLATES.format(**words))
+    return path
+
+
+def radii(program, path, *words):
+    """Of the lens that it ends at; a message where it fails."""
+    rows = program.rows("optimize", path, *words, "--show", "variables")
+    if isinstance(rows, str):
+        return rows
+    return [1 / float(row["after"]) for row in rows if row["variable"].startswith("c")]
+
+
+def check_achromat(program, checks, folder):
+    """By both image planes, with the focal length stated, or a goal."""
+    goal = "poly,efl=150"
+    cases = (({}, ()), ({"focus": "table", "more": " t~"}, ()), ({"stated": ""}, ("--goals", goal)),
+             ({"stated": "", "focus": "table", "more": " t~"}, ("--goals", goal)))
+    for what, words in cases:
+        name = f"{what} {words}"
+        found = radii(program, plates(folder, **what), *words)
+        checks.check(not isinstance(found, str), f"{name}: {found}")
+        if isinstance(found, str):
+            continue
+        behind = [glass[0] for glass in GLASSES] + [1.0]
+        lens = [(radius, thickness, index, WIDE, i == 0) for i, (radius, thickness, index)
+                in enumerate(zip(found, (*THICKNESSES, 0.0), behind))]
+        efl, bfl, _ = first_order(lens)
+        checks.near("focal length", name, efl, EFL, 0.005 * EFL)
+        first, second = (v for _, v in GLASSES)
+        for i, share in enumerate((first / (first - second), -second / (first - second))):
+            power = (GLASSES[i][0] - 1) * (1 / found[i] - 1 / found[i + 1])
+            checks.near("thin achromat", f"{name}: element {i + 1}", power * EFL, share, 0.05)
+        edge = EFL / FNUMBER / 2
+        image = bfl if what.get("focus") != "table" else None
+        if image is not None:
+            rays = [(edge * math.sqrt(q), w) for q, w in GAUSS]
+            checks.near("spot, um", name, 1000 * rms_on_axis(lens, image, rays), 0, 6)
+
+
+def check_powerless(program, checks, folder):
+    """Nothing says what the focal length is to be."""
+    for focus in ("paraxial", "table"):
+        said = radii(program, plates(folder, stated="", focus=focus))
+        checks.check("the lens has no power" in said and "efl = 100" in said, f"{focus}: {said}")
+
+
+def check_moved(program, checks, folder):
+    """Begun at the bound that is nearest, in curvature for radii, and said."""
+    path = os.path.join(folder, "singlet.lens")
+    with open(path, "w", encoding="utf-8") as file:
+        file.write("wavelength d\naperture epd 5\nfocus table\nsurface 50 3 1.5 - stop\n"
+                   "surface - 80 air -\n")
+    # what is varied, what is said, the bound, and the focal length there
+    cases = (("R1[60,70]", "R1 is 50 mm, outside of its bounds 60 to 70 mm", 60, 120),
+             ("R1[70,-70]", "R1 is 50 mm, outside of its bounds 70 to -70 mm", 70, 140),
+             ("R1[20,40]", "R1 is 50 mm, outside of its bounds 20 to 40 mm", 40, 80),
+             ("c1[0.03,0.05]", "c1 is 0.02 /mm, outside of its bounds 0.03 to 0.05 /mm", 0.03,
+              200 / 3))
+    for vary, said, bound, efl in cases:
+        goal = f"efl={efl:.17g}:1e-3"
+        rows = program.rows("optimize", path, "--vary", vary, "--goals", goal, "--show",
+                            "variables")
+        rows = [{"warning": rows}] if isinstance(rows, str) else rows
+        checks.check(said in (rows[0]["warning"] or ""), f"{vary}: {rows}")
+        checks.near("moved", vary, float(rows[0].get("after") or math.nan), bound,
+                    1e-6 * bound)
+        merit = program.rows("optimize", path, "--vary", vary, "--goals", "efl=100", "--columns",
+                             "merit_before")
+        checks.near("merit as it was", vary, float(merit[0]["merit_before"]), 0, 1e-20)
+
+
+def main():
+    """All of it."""
+    program, checks = Program(sys.argv[1]), Checks()
+    with tempfile.TemporaryDirectory() as folder:
+        check_achromat(program, checks, folder)
+        check_powerless(program, checks, folder)
+        check_moved(program, checks, folder)
+    for kind, (share, where) in sorted(checks.worst.items()):
+        print(f"{kind}: at worst {share:.2g} of what is allowed, {where}")
+    checks.finish()
+
+
+if __name__ == "__main__":
+    main()
