@@ -74,7 +74,7 @@ struct optimize_job {
 struct optimize_about {
     double fnumber;
     long seed, rank;
-    const char *lens, *warning;
+    const char *fields, *wavelengths, *rays, *lens, *warning;
 };
 
 #define OPTIMIZE_SWEPT_COLUMNS(S)                                                                  \
@@ -85,8 +85,16 @@ struct optimize_about {
         COLUMN(S, about.rank), .flags = COLUMN_EXTRA, .name = "rank", .with = "global",            \
                                .label = "rank", .help = "of the lenses that are kept, 1 the best"  \
     }
+#define OPTIMIZE_SEEN_COLUMN(S, member, on, words)                                                 \
+    ENTRY(COLUMN(S, about.member), .flags = COLUMN_EXTRA | COLUMN_ASSUMED, .name = #member,        \
+          .depends = on, .label = #member, .help = words)
+
 #define OPTIMIZE_LENS_COLUMNS(S)                                                                   \
-    LENS_TITLE_COLUMN(S, about.lens), LENS_WARNING_COLUMN(S, about.warning)
+    OPTIMIZE_SEEN_COLUMN(S, fields, "field lens", "that it is optimized for"),                     \
+        OPTIMIZE_SEEN_COLUMN(S, wavelengths, "wavelength lens", "that it is optimized for"),       \
+        OPTIMIZE_SEEN_COLUMN(S, rays, "rays pattern aim clip no-clip",                             \
+                             "those of each field and wavelength"),                                \
+        LENS_TITLE_COLUMN(S, about.lens), LENS_WARNING_COLUMN(S, about.warning)
 
 /* Of the first row of a sheet with what is doubtful. */
 struct optimize_about optimize_about_of(const struct optimize_job *job, bool is_first);

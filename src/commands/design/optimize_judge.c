@@ -430,12 +430,3 @@ bool optimize_judge(struct optimize_job *job, struct error *error)
     }
     return true;
 }
-
-struct optimize_about optimize_about_of(const struct optimize_job *job, bool is_first)
-{
-    return (struct optimize_about){.fnumber = job->input->question.fnumber,
-                                   .seed = job->input->seed,
-                                   .rank = job->rank,
-                                   .lens = job->lens->title,
-                                   .warning = is_first ? job->warning : NULL};
-}

@@ -13,7 +13,7 @@ struct answer_row {
     struct optimize_about about;
     double merit_before, merit_after;
     long hits, evaluations, iterations, variables, residuals;
-    const char *solver, *status, *goals, *made, *rays, *search;
+    const char *solver, *status, *goals, *made, *search;
 };
 
 static const struct column answer_columns[] = {
@@ -39,8 +39,6 @@ static const struct column answer_columns[] = {
     {COLUMN(struct answer_row, made), .flags = COLUMN_EXTRA | COLUMN_ASSUMED, .name = "tolerances",
      .depends = "grade tolerances lens goals", .label = "tolerances",
      .help = "of the goal asbuilt, how many independent errors, and where they are from"},
-    {COLUMN_NAMED(struct answer_row, rays, COLUMN_EXTRA | COLUMN_ASSUMED),
-     .depends = "rays pattern aim clip no-clip", .help = "those of each field and wavelength"},
     {COLUMN_NAMED(struct answer_row, search, COLUMN_EXTRA | COLUMN_ASSUMED),
      .depends = "global escapes spread seed", .help = "how many starts there were, and where"},
     OPTIMIZE_LENS_COLUMNS(struct answer_row),
@@ -52,24 +50,20 @@ static bool optimize_emit_answer(struct optimize_job *job, struct error *error)
 {
     (void)error;
     const struct optimize_answer *answer = &job->answer;
-    const struct answer_row row = {
-        .about = optimize_about_of(job, true),
-        .hits = job->hits,
-        .merit_before = answer->before.merit,
-        .merit_after = answer->after.merit,
-        .evaluations = job->rank > 0 ? job->evaluations : answer->summary.evaluations,
-        .iterations = answer->summary.iterations,
-        .variables = (long)job->variables.count,
-        .residuals = (long)job->merit.residual_count,
-        .solver = job->input->solver == SOLVER_CERES ? "ceres" : "dls",
-        .status = job->status,
-        .goals = job->goals,
-        .made = job->made,
-        .rays = arena_printf(job->run->arena, "%ld %s, in the %s, %s", job->input->rays,
-                             patterns[job->input->pattern].word,
-                             job->input->aim == ANALYSIS_AIM_ENTRANCE ? "entrance pupil" : "stop",
-                             job->input->clip ? "clipped" : "not clipped"),
-        .search = job->search};
+    const struct answer_row row = {.about = optimize_about_of(job, true),
+                                   .hits = job->hits,
+                                   .merit_before = answer->before.merit,
+                                   .merit_after = answer->after.merit,
+                                   .evaluations = job->rank > 0 ? job->evaluations
+                                                                : answer->summary.evaluations,
+                                   .iterations = answer->summary.iterations,
+                                   .variables = (long)job->variables.count,
+                                   .residuals = (long)job->merit.residual_count,
+                                   .solver = job->input->solver == SOLVER_CERES ? "ceres" : "dls",
+                                   .status = job->status,
+                                   .goals = job->goals,
+                                   .made = job->made,
+                                   .search = job->search};
     run_emit(job->run, &row);
     return true;
 }
@@ -300,20 +294,23 @@ static bool emit_spots(struct optimize_job *job, struct error *error)
             /* whatever it counted for */
             const struct setup_wavelength alone = {setup->wavelengths[w].wavelength, 1};
             struct setup before, after;
-            if (!optimize_open_setup(job, job->lens, p, &alone, 1, false, &before, error) ||
-                !optimize_open_setup(job, job->found, p, &alone, 1, false, &after, error)) {
+            struct error ignored; /* plates have no f-number, and no spots */
+            const bool had_spots =
+                optimize_open_setup(job, job->lens, p, &alone, 1, false, &before, &ignored);
+            if (!optimize_open_setup(job, job->found, p, &alone, 1, false, &after, error)) {
                 return false;
             }
-            for (size_t f = 0; f < before.field_count && goes_on; f++) {
-                const struct field_point *point = &before.fields[f].point;
-                const double at = point->value[setup_axis(&before)];
+            for (size_t f = 0; f < after.field_count && goes_on; f++) {
+                const struct field_point *point = &after.fields[f].point;
+                const double at = point->value[setup_axis(&after)];
                 const bool is_angle = point->kind == FIELD_ANGLE || point->kind == FIELD_NONE;
                 const struct spot_row row = {.about = optimize_about_of(job, is_first),
-                                             .position = before.position,
+                                             .position = after.position,
                                              .field = is_angle ? at : NAN,
                                              .height = is_angle ? NAN : at,
                                              .wavelength = alone.wavelength,
-                                             .before = optimize_spot_of(job, &before, f),
+                                             .before = had_spots ? optimize_spot_of(job, &before, f)
+                                                                 : NAN,
                                              .after = optimize_spot_of(job, &after, f)};
                 goes_on = run_emit(job->run, &row);
                 is_first = false;
