@@ -8,6 +8,7 @@ nearest one.
 """
 # SPDX-License-Identifier: MIT
 
+import json
 import math
 import os
 import sys
@@ -111,6 +112,23 @@ def check_moved(program, checks, folder):
         checks.near("merit as it was", vary, float(merit[0]["merit_before"]), 0, 1e-20)
 
 
+def check_assumed(program, checks, folder):
+    """What it is optimised for is said by every kind of rows, of a lens that states nothing too."""
+    path = os.path.join(folder, "bare.lens")
+    with open(path, "w", encoding="utf-8") as file:
+        file.write("aperture epd 5\nfocus table\nsurface 50 3 1.5 - stop\nsurface - 80 air -\n")
+    cases = ((), "the axis alone, as the lens states none", "587.5618 nm alone, as the lens "
+             "states none"), (("--field", "0,3", "-w", "550,C:0.5"), "0, 3 deg",
+                              "550, 656.2725 x 0.5 nm")
+    for show in ("answer", "merit", "variables", "spots"):
+        for words, fields, wavelengths in cases:
+            result = program.run("optimize", path, "--vary", "R1", "--goals", "poly", "--show",
+                                 show, "--rays", "20", "--json", *words)
+            said = json.loads(result.stdout)["assumptions"]
+            checks.check(said["fields"] == fields and said["wavelengths"] == wavelengths and
+                         said["rays"].startswith("20 gauss"), f"{show} {words}: {said}")
+
+
 def main():
     """All of it."""
     program, checks = Program(sys.argv[1]), Checks()
@@ -118,6 +136,7 @@ def main():
         check_achromat(program, checks, folder)
         check_powerless(program, checks, folder)
         check_moved(program, checks, folder)
+        check_assumed(program, checks, folder)
     for kind, (share, where) in sorted(checks.worst.items()):
         print(f"{kind}: at worst {share:.2g} of what is allowed, {where}")
     checks.finish()
