@@ -19,6 +19,7 @@ import tempfile
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 from harness import Checks, Program
+from meridional import first_order
 
 # with aspheres, catalogue glasses, model glasses, positions, a cemented triplet
 LENSES = ("double-gauss", "double-gauss-50", "cooke-triplet-50", "brendel-tessar-100",
@@ -182,12 +183,46 @@ def check_clipped(program, checks, folder, name):
                     spot["rms_um"], 1e-12 * float(spot["rms_um"]) + 1e3 * ROUNDING)
 
 
+def check_airspace(program, checks, folder):
+    """One spacer makes the gaps before and behind a stop: its error is one, and that of the focal
+    length by its derivative, of paraxial rays with the gap changed either way."""
+    half, gaps = 0.05, (3.0, 5.0)
+    glass = ((40.0, 4.0, 1.6), (-300.0, None, 1.0), (-35.0, 2.0, 1.7), (60.0, 0.0, 1.0))
+
+    def efl(change):
+        lens = [(radius, sum(gaps) + change if thickness is None else thickness, index, 20, False)
+                for radius, thickness, index in glass]
+        return first_order(lens)[0]
+
+    lines = ["wavelength d", "aperture epd 8"]
+    for i, (radius, thickness, index) in enumerate(glass):
+        lines.append(f"surface {radius} {gaps[0] if thickness is None else thickness} {index} 20")
+        if i == 1:
+            lines.append(f"stop - {gaps[1]} air -")
+    path = os.path.join(folder, "pair.lens")
+    with open(path, "w", encoding="ascii") as file:
+        file.write("\n".join(lines) + "\n")
+    linear = (efl(half) - efl(-half)) / 2
+    for name, words in (("t3", "t1..t5"), ("t2", "t2"), ("t3", "t3")):
+        with open(os.path.join(folder, "air.txt"), "w", encoding="ascii") as file:
+            file.write(f"tolerance {words} {half}\n")
+        rows, message = rows_of(program, folder, "tolerance", path, "--tolerances", "air.txt",
+                                "--criterion", "efl", "--refocus", "none", "--show",
+                                "sensitivity", "--csv")
+        air = [row for row in rows if row["perturbation"] in ("t2", "t3")]
+        checks.check([row["perturbation"] for row in air] == [name], f"{words}: {rows} {message}")
+        for row in air:
+            checks.near("airspace", f"{words}: efl", row["linear"], linear, 1e-4 * abs(linear))
+
+
 def main():
     program, checks = Program(sys.argv[1]), Checks()
     for name in LENSES:
         with tempfile.TemporaryDirectory(prefix="lenscalc-tolerance-") as folder:
             check_lens(program, checks, folder, name)
             check_clipped(program, checks, folder, name)
+    with tempfile.TemporaryDirectory(prefix="lenscalc-tolerance-") as folder:
+        check_airspace(program, checks, folder)
     for kind, (share, where) in checks.worst.items():
         print(f"{kind}: {share:.2g} of what is allowed at {where}")
     checks.finish()

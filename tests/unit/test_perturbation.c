@@ -43,15 +43,16 @@ static const struct sample {
     /* shares, of what has a radius; both ways around mirrors */
     {LENS, NULL, "R1..R6 0.1%", "R1 0.05, R2 0.05, R5 0.07, R6 0.07"},
     {MIRRORS, NULL, "R1..R5 0.1%", "R1 0.2, R4 0.09"},
-    {LENS, NULL, "t1..t6 1%", "t1 0.05, t2 0.03, t5 0.04, t3 0.06, t4 0.02"},
+    /* an airspace that the stop divides has one, on its wider gap */
+    {LENS, NULL, "t1..t6 1%", "t1 0.05, t2 0.03, t5 0.04, t3 0.08"},
     {MIRRORS, NULL, "t1..t5 1%", "t2 0.02, t1 0.5, t3 0.4"},
     {LENS, NULL, "n1..n6 0.001\nV1..V6 1%", "n1 0.001, n2 0.001, n5 0.001, V1 0.6, V2 0.4"},
     {LENS, NULL, "surface 1..6 conic 10%\nA4_1..A4_6 1%", "k5 0.15, A4_5 1e-08"},
     /* the nearer one: a single thing, then air, then the range */
     {LENS, NULL, "t1..t5 0.02\nsurface 1..5 air 0.01\nt4 5um",
-     "t1 0.02, t2 0.02, t5 0.02, t3 0.01, t4 0.005"},
+     "t1 0.02, t2 0.02, t5 0.02, t4 0.005"},
     /* a stop may pass the vertex beside it */
-    {BARE, NULL, "t1..t5 0.1", "t1 0.1, t4 0.1, t2 0.1, t3 0.1"},
+    {BARE, NULL, "t1..t5 0.1", "t1 0.1, t4 0.1, t3 0.1"},
     {ZOOM, NULL, "t3..t4 0.1", "t3 0.1, t4 0.1"},
     /* fringes: roots of the sag by mpmath, 30 digits; half a wave each */
     {LENS, NULL, "R1 3fringes", "R1 1.58889651e-05"},
@@ -78,8 +79,7 @@ static const struct sample {
     /* marks go before the grade; its fringes are for planes */
     {LENS, "R1..R6 0.1%\nR1..R6 3fringes\nt1..t6 0.1\nsurface 1..6 air 0.05",
      "t1 0.01\nt2..t3 0.02",
-     "R1 0.05, R2 0.05, R3 1.63820999e-05, R5 0.07, R6 0.07, t1 0.01, t2 0.02, t5 0.1, t3 0.02, "
-     "t4 0.05"},
+     "R1 0.05, R2 0.05, R3 1.63820999e-05, R5 0.07, R6 0.07, t1 0.01, t2 0.02, t5 0.1, t3 0.02"},
 };
 
 /* Lines with `tolerance` before each. */
@@ -184,6 +184,9 @@ static const struct sample refused[] = {
     {LENS, NULL, "R1 1%\nR1 2%",
      "the tolerance of R1 cannot be: it has one already, in line 1 of "
      "marks"},
+    {LENS, NULL, "t3 0.1\nt4 0.1",
+     "the tolerance of t4 cannot be: its airspace, which the stop does not divide, has one "
+     "already, in line 1 of marks"},
     {LENS, NULL, "R1 1%\nR3 2%",
      "the tolerance of R3 cannot be: a plane has no radius: its "
      "tolerance is in fringes"},

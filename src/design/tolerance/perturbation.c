@@ -73,6 +73,12 @@ static bool perturbation_add(struct work *work, struct perturbation_entry entry,
     if (from->kind == TOLERANCE_THICKNESS) {
         entry.place.kind = tolerance_place_space(site, entry.place.first);
     }
+    entry.place.space = entry.place.first;
+    /* an airspace that a stop divides has one error */
+    if (entry.place.kind == TOLERANCE_AIR && !tolerance_place_find_airspace(site, &entry.place) &&
+        from->is_range) {
+        return true;
+    }
     const char *wrong = tolerance_place_wrong(site, &entry.place);
     if (wrong != NULL && from->is_range) {
         /* a glass of which only the Abbe number is not known is said */
@@ -94,9 +100,9 @@ static bool perturbation_add_tolerance(struct work *work, const struct lens_tole
     const bool is_air = from->kind == TOLERANCE_AIR;
     const enum perturbation_rank ranks[] = {is_air ? RANK_AIR : RANK_RANGE,
                                             is_air ? RANK_GRADE_AIR : RANK_GRADE};
-    struct perturbation_entry entry = {.place = {from, from->kind, from->first, from->last},
-                                       .rank = is_grade || from->is_range ? ranks[is_grade]
-                                                                          : RANK_SINGLE};
+    struct perturbation_entry entry = {
+        .place = {from, from->kind, from->first, from->last, from->first},
+        .rank = is_grade || from->is_range ? ranks[is_grade] : RANK_SINGLE};
     const enum tolerance_owner owner = tolerance_type(from->kind)->owner;
     if (owner == TOLERANCE_OF_SURFACE) {
         for (size_t i = from->first; i <= from->last; i++) {
@@ -118,7 +124,7 @@ static bool perturbation_add_tolerance(struct work *work, const struct lens_tole
     for (size_t i = 0; i < work->site.element_count; i++) {
         const struct element *one = &work->site.elements[i];
         if (one->first >= from->first && one->last <= from->last) {
-            entry.place.first = one->first;
+            entry.place.first = entry.place.space = one->first;
             entry.place.last = one->last;
             if (!put_entry(work, entry, error)) {
                 return false;
@@ -134,8 +140,8 @@ static int by_thing(const struct perturbation_entry *a, const struct perturbatio
 {
     const struct tolerance_place *left = &a->place, *right = &b->place;
     const size_t keys[][2] = {{left->kind, right->kind},
-                              {left->first, right->first},
-                              {left->last, right->last},
+                              {left->space, right->space},
+                              {left->last - left->first, right->last - right->first},
                               {(size_t)left->from->order, (size_t)right->from->order}};
     for (size_t i = 0; i < sizeof keys / sizeof keys[0]; i++) {
         if (keys[i][0] != keys[i][1]) {
@@ -178,10 +184,12 @@ static bool perturbation_keep_first(struct work *work, struct error *error)
         }
         if (counts->rank == one->rank && one->rank > RANK_GRADE_AIR) {
             const struct lens_tolerance *first = counts->place.from;
+            const bool is_gap = counts->place.first != one->place.first;
             return perturbation_refuse(
                 work, one,
-                arena_printf(work->site.arena, "it has one already, in line %ld%s%s", first->line,
-                             first->source != NULL ? " of " : "",
+                arena_printf(work->site.arena, "%s has one already, in line %ld%s%s",
+                             is_gap ? "its airspace, which the stop does not divide," : "it",
+                             first->line, first->source != NULL ? " of " : "",
                              first->source != NULL ? first->source : ""),
                 error);
         }

@@ -49,6 +49,40 @@ static double space_at(const struct tolerance_site *site, size_t surface, bool n
     return space;
 }
 
+/* Does the gap behind a surface go on behind the next one? */
+static bool airspace_goes_on(const struct tolerance_site *site, size_t surface)
+{
+    const size_t next = surface + 1;
+    return next + 1 < site->lens->surface_count && site_surface(site, next)->kind == SURFACE_STOP &&
+           tolerance_place_space(site, surface) == TOLERANCE_AIR &&
+           tolerance_place_space(site, next) == TOLERANCE_AIR;
+}
+
+bool tolerance_place_find_airspace(const struct tolerance_site *site, struct tolerance_place *place)
+{
+    size_t widest = place->first;
+    place->space = place->first;
+    while (place->space > 0 && airspace_goes_on(site, place->space - 1)) {
+        place->space--;
+    }
+    for (size_t i = place->space; i == place->space || airspace_goes_on(site, i - 1); i++) {
+        const double here = space_at(site, i, true), most = space_at(site, widest, true);
+        widest = here > most || (here == most && i < widest) ? i : widest;
+    }
+    return widest == place->first;
+}
+
+/* Of an airspace all of it, where it is narrowest or widest, mm. */
+static double place_space(const struct tolerance_site *site, const struct tolerance_place *place,
+                          bool narrowest)
+{
+    double sum = space_at(site, place->space, narrowest);
+    for (size_t i = place->space; place->kind == TOLERANCE_AIR && airspace_goes_on(site, i); i++) {
+        sum += space_at(site, i + 1, narrowest);
+    }
+    return sum;
+}
+
 static const char *no_element(const struct tolerance_site *site,
                               const struct tolerance_place *place)
 {
@@ -90,7 +124,7 @@ const char *tolerance_place_wrong(const struct tolerance_site *site,
         if (place->first + 1 >= site->lens->surface_count) {
             return "that is the image's distance: its tolerance is that of the focus";
         }
-        if (space_at(site, place->first, false) == 0) {
+        if (place_space(site, place, false) == 0) {
             return "the space is 0";
         }
         return tolerance_place_space(site, place->first) == place->kind
@@ -214,7 +248,7 @@ static const char *number_amount(const struct tolerance_site *site,
     } else if (place->kind == TOLERANCE_RADIUS) {
         number = 1 / surface_base_curvature(surface).hi;
     } else if (place->kind == TOLERANCE_THICKNESS || place->kind == TOLERANCE_AIR) {
-        number = space_at(site, place->first, true);
+        number = place_space(site, place, true);
     } else {
         const struct figure *figure = parameter_figure(surface, kind, from->order);
         number = figure != NULL ? figure->value.hi : 0;

@@ -20,6 +20,7 @@ struct tolerance_place {
     const struct lens_tolerance *from;
     enum tolerance_kind kind; /* THICKNESS only of glass */
     size_t first, last;
+    size_t space; /* AIR: the first surface of its airspace, of which it is one gap; else `first` */
 };
 
 /*
@@ -32,6 +33,16 @@ const char *tolerance_place_wrong(const struct tolerance_site *site,
 
 /* What a thickness of the space behind a surface is of: TOLERANCE_THICKNESS or TOLERANCE_AIR. */
 enum tolerance_kind tolerance_place_space(const struct tolerance_site *site, size_t surface);
+
+/*
+ * The airspace that the gap behind a surface is part of: a stop that does nothing else does not
+ * divide it, and one spacer makes it.
+ *
+ * Given     place  of kind AIR; receives the airspace
+ * Result    is this its widest gap, the first of two alike, to which an error of it is added?
+ */
+bool tolerance_place_find_airspace(const struct tolerance_site *site,
+                                   struct tolerance_place *place);
 
 /*
  * By how much the thing may be off.
