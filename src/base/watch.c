@@ -9,8 +9,18 @@ void watch_begin(struct watch *watch, const char *unit, size_t total)
     }
     watch->unit = unit;
     watch->total = total;
+    watch->tell = NULL;
     atomic_store(&watch->done, 0);
     atomic_store(&watch->next, 1);
+}
+
+void watch_tell(struct watch *watch, void (*tell)(const void *context, char *words, size_t room),
+                const void *context)
+{
+    if (watch != NULL) {
+        watch->tell = tell;
+        watch->told_of = context;
+    }
 }
 
 /* Unless another thread does. */

@@ -22,10 +22,18 @@ struct watch {
        to look, neither by `next` nor by the clock, it may leave both. */
     void (*look)(struct watch *watch);
     void *looker; /* its own */
+    /* What else is to be said of the work now, into words of so much room; from any thread. Or
+       null */
+    void (*tell)(const void *context, char *words, size_t room);
+    const void *told_of; /* its context */
 };
 
-/* Begin to count. */
+/* Begin to count; there is nothing else to be said. */
 void watch_begin(struct watch *watch, const char *unit, size_t total);
+
+/* Say something else too, until something else is counted. Before the work begins. */
+void watch_tell(struct watch *watch, void (*tell)(const void *context, char *words, size_t room),
+                const void *context);
 
 /*
  * So many more are done. From any thread; worth it every 50 us or so.

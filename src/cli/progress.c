@@ -49,6 +49,11 @@ static void progress_show(struct progress *progress, double time)
     if (share >= 0 && share <= 1) {
         used += snprintf(line + used, LINE - (size_t)used, "  %.0f %%", 100 * share);
     }
+    if (is_one && watch->tell != NULL) {
+        char words[LINE / 2] = "";
+        watch->tell(watch->told_of, words, sizeof words);
+        used += snprintf(line + used, LINE - (size_t)used, "  %s", words);
+    }
     /* "2.1 M rays/s" */
     double rate = done / elapsed;
     static const char *const prefixes[] = {"", "k ", "M ", "G "};

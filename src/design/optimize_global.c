@@ -3,8 +3,10 @@
 #include "design/optimize_global.h"
 
 #include "base/parallel.h"
+#include "design/degenerate.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -56,12 +58,12 @@ static bool open_fresh(const struct merit *like, struct arena *arena, struct fre
 /* -------- the search -------- */
 
 struct global_run {
-    const struct optimize_global *global;
+    struct optimize_global *global;
     struct global_range range;
     size_t first; /* of the starts of this round */
 };
 
-static struct global_run global_run_of(const struct optimize_global *global, struct arena *arena)
+static struct global_run global_run_of(struct optimize_global *global, struct arena *arena)
 {
     const struct variables *variables = global->merit->question.variables;
     return (struct global_run){.global = global,
@@ -100,7 +102,7 @@ static bool begin_at(const struct global_run *searching, const struct global_sea
     return optimize_begin(&task, numbers, merit->arena, &ignored, &why);
 }
 
-bool optimize_global_idle(const struct optimize_global *global, struct arena *arena, bool *is_idle)
+bool optimize_global_idle(struct optimize_global *global, struct arena *arena, bool *is_idle)
 {
     const struct global_run searching = global_run_of(global, arena);
     const size_t n = global->merit->variable_count, m = global->merit->residual_count;
@@ -135,36 +137,128 @@ static bool global_run_goes_on(const struct optimize_global *global)
            (global->goes_on == NULL || global->goes_on(global->context));
 }
 
+/* Why a start is lost, without what differs from start to start: numbers of rays and fields. */
+static const char *global_lost_words(const char *message, struct arena *arena)
+{
+    static const char digits[] = "0123456789.", of[] = " of ", of_field[] = " of field ";
+    char *words = ARENA_ARRAY(arena, strlen(message) + 1, char);
+    const size_t some = strspn(message, digits);
+    const char *from = message, *all = message + some + strlen(of);
+    size_t used = 0;
+    if (some > 0 && strncmp(message + some, of, strlen(of)) == 0 && strspn(all, digits) > 0) {
+        from = all + strspn(all, digits); /* "2 of 36 rays" */
+        from += *from == ' ';
+    }
+    while (*from != '\0') {
+        if (strncmp(from, of_field, strlen(of_field)) == 0) {
+            from += strlen(of_field);
+            from += strspn(from, digits);
+        } else {
+            words[used++] = *from++;
+        }
+    }
+    words[used] = '\0';
+    return words;
+}
+
+/* Of the minima those that are lenses. */
+static void global_drop_degenerate(const struct merit *merit, struct arena *arena,
+                                   struct global_result *result)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < result->count; i++) {
+        const struct lens *lens =
+            variables_lens(merit->question.variables, result->minima[i].parameters, arena);
+        const char *wrong = degenerate_words(merit, lens, arena);
+        result->lost = wrong != NULL ? wrong : result->lost;
+        if (wrong == NULL) {
+            result->minima[count++] = result->minima[i];
+        }
+    }
+    result->count = count;
+}
+
+/*
+ * What a start leads to.
+ *
+ * Given     own  for merits, which keep what they have found in theirs
+ * Result    false: it was stopped before
+ */
+static bool global_search_start(struct global_run *searching, size_t start, struct arena *own,
+                                struct arena *arena, struct global_result *result)
+{
+    const struct optimize_global *global = searching->global;
+    struct global_chain chain = {0};
+    struct fresh fresh;
+    struct error why;
+    *result = (struct global_result){.is_done = true};
+    if (!open_fresh(global->merit, own, &fresh, &why)) {
+        result->lost = global_lost_words(why.message, arena);
+        return true;
+    }
+    const struct solver_problem problem = optimize_problem(&fresh.merit);
+    const struct global_search search = search_of(searching, &problem);
+    double *numbers = ARENA_ARRAY(own, fresh.variables.count + 1, double);
+    /* where rays are just lost, some are found only from a lens that still has them */
+    for (int attempt = 0; attempt < 2 && chain.count == 0 && !chain.is_stopped; attempt++) {
+        fresh.merit.forgets = attempt > 0;
+        if (!begin_at(searching, &search, start, &fresh.merit, numbers)) {
+            result->lost = global_lost_words(fresh.merit.why.message, arena);
+            return global->goes_on == NULL || global->goes_on(global->context);
+        }
+        global_descend(&search, (uint32_t)start, numbers, arena, &chain);
+        result->evaluations += chain.evaluations;
+    }
+    result->count = chain.count;
+    result->minima = chain.minima;
+    result->lost = global_lost_words(fresh.merit.why.message, arena);
+    global_drop_degenerate(&fresh.merit, arena, result);
+    return !chain.is_stopped;
+}
+
+/* The best so far, and what is lost. */
+static void global_count(struct optimize_global *global, const struct global_result *result)
+{
+    double best = atomic_load(&global->best);
+    for (size_t i = 0; i < result->count; i++) {
+        const double here = 2 * result->minima[i].cost;
+        while (here < best && !atomic_compare_exchange_weak(&global->best, &best, here)) {
+            /* another thread was quicker: `best` is its own */
+        }
+    }
+    atomic_fetch_add(&global->losses, result->count == 0);
+}
+
+void optimize_global_tell(const void *context, char *words, size_t room)
+{
+    const struct optimize_global *global = context;
+    const double best = atomic_load(&global->best);
+    const size_t losses = atomic_load(&global->losses);
+    size_t used = 0;
+    if (isfinite(best)) {
+        used = (size_t)snprintf(words, room, "best merit %.4g", best);
+    }
+    if (losses > 0 && used < room) {
+        snprintf(words + used, room - used, "%s%zu lost", used > 0 ? "  " : "", losses);
+    }
+}
+
 static void optimize_global_work(void *context, const struct parallel_piece *piece)
 {
     struct global_run *searching = context;
-    const struct optimize_global *global = searching->global;
+    struct optimize_global *global = searching->global;
     for (size_t k = searching->first + piece->begin; k < searching->first + piece->end; k++) {
-        struct arena own = {0}; /* merits keep what they have found in theirs */
-        struct global_chain chain = {0};
-        struct fresh fresh;
-        struct error ignored;
+        struct arena own = {0};
+        struct global_result result;
         if (global->results[k].is_done || !global_run_goes_on(global)) {
             continue;
         }
-        bool done = true; /* it came to its end */
-        if (open_fresh(global->merit, &own, &fresh, &ignored)) {
-            const struct solver_problem problem = optimize_problem(&fresh.merit);
-            const struct global_search search = search_of(searching, &problem);
-            double *numbers = ARENA_ARRAY(&own, fresh.variables.count + 1, double);
-            if (begin_at(searching, &search, k, &fresh.merit, numbers)) {
-                global_descend(&search, (uint32_t)k, numbers, piece->arena, &chain);
-                done = !chain.is_stopped;
-            } else {
-                done = global->goes_on == NULL || global->goes_on(global->context);
-            }
-        }
-        arena_free(&own);
-        if (done) {
-            global->results[k] =
-                (struct global_result){true, chain.count, chain.minima, chain.evaluations};
+        if (global_search_start(searching, k, &own, piece->arena, &result)) {
+            global->results[k] = result;
+            global_count(global, &result);
             watch_add(global->watch, 1);
         }
+        arena_free(&own);
     }
 }
 
@@ -174,6 +268,13 @@ void optimize_global_search(struct optimize_global *global, struct arena *arena)
     const size_t round = global->pause == NULL ? all : (size_t)global->threads * STARTS_A_THREAD;
     struct global_run searching = global_run_of(global, arena);
     struct parallel *team = ARENA_NEW(arena, struct parallel);
+    atomic_store(&global->best, INFINITY);
+    atomic_store(&global->losses, 0);
+    for (size_t k = 0; k < global->start_count; k++) { /* those of files */
+        if (global->results[k].is_done) {
+            global_count(global, &global->results[k]);
+        }
+    }
     team->threads = global->threads;
     for (; searching.first < global->end; searching.first += round) {
         const size_t left = global->end - searching.first;
@@ -236,7 +337,7 @@ static bool kept_is_known(const struct solver_problem *problem, const struct glo
     return found;
 }
 
-size_t optimize_global_keep(const struct optimize_global *global, const struct optimize_task *task,
+size_t optimize_global_keep(struct optimize_global *global, const struct optimize_task *task,
                             size_t most, struct arena *arena, struct global_kept *kept)
 {
     const struct solver_problem problem = optimize_problem(task->merit);
@@ -270,9 +371,17 @@ size_t optimize_global_keep(const struct optimize_global *global, const struct o
         fine.merit = &fresh->merit;
         one->begun = fine.start;
         one->start = list[i].start;
-        count += open_fresh(task->merit, arena, fresh, &ignored) &&
-                 optimize_run(&fine, arena, &one->answer, &ignored) &&
-                 !kept_is_known(&problem, kept, count, one->answer.after.numbers);
+        if (!open_fresh(task->merit, arena, fresh, &ignored) ||
+            !optimize_run(&fine, arena, &one->answer, &ignored) ||
+            kept_is_known(&problem, kept, count, one->answer.after.numbers)) {
+            continue;
+        }
+        const struct lens *lens =
+            variables_lens(&fresh->variables, one->answer.after.numbers, arena);
+        const bool is_lens = degenerate_words(&fresh->merit, lens, arena) == NULL &&
+                             (global->accepts == NULL || global->accepts(global->context, lens));
+        count += is_lens;
+        global->refused += !is_lens;
     }
     /* starts with a minimum there, or where its last descent began */
     for (size_t i = 0; i < count; i++) {

@@ -7,10 +7,13 @@
 #include "design/optimize.h"
 #include "design/solver/global.h"
 
+#include <stdatomic.h>
+
 /* What one start led to. */
 struct global_result {
     bool is_done;
-    size_t count; /* of minima; 0: it could not be judged */
+    size_t count;     /* of minima; 0: it is lost */
+    const char *lost; /* why, in words that starts which are lost alike have in common */
     struct global_minimum *minima;
     long evaluations;
 };
@@ -32,6 +35,11 @@ struct optimize_global {
     size_t start_count;
     struct global_result *results; /* of the starts; what is done is not searched again */
     size_t begin, end;             /* those that are searched */
+    /* Is it a lens that was found? Asked of what is kept; or null */
+    bool (*accepts)(void *context, const struct lens *lens);
+    size_t refused;       /* by it, and such as degenerate_words knows */
+    _Atomic double best;  /* merit of the starts that are done; infinite: none yet */
+    atomic_size_t losses; /* starts that are lost */
 };
 
 /* Where starts lie. */
@@ -52,14 +60,18 @@ struct global_range optimize_global_range(const struct variables *variables, dou
  *
  * Result    is_idle of each variable; false where no start has a merit
  */
-bool optimize_global_idle(const struct optimize_global *global, struct arena *arena, bool *is_idle);
+bool optimize_global_idle(struct optimize_global *global, struct arena *arena, bool *is_idle);
+
+/* The best merit so far and how many starts are lost, for watch_tell: context is the search. */
+void optimize_global_tell(const void *context, char *words, size_t room);
 
 /*
  * Search from all starts that are not done. The first is the lens itself, so that nothing worse
  * than its own minimum is found; the others are global_start. Who has no merit, as rays are lost,
  * is first made one that has (optimize_begin).
  *
- * Result    results in the arena; is_done only of starts that goes_on let come to their end
+ * Result    results in the arena; is_done only of starts that goes_on let come to their end.
+ *           Minima that are no lenses (design/degenerate.h) are left out
  */
 void optimize_global_search(struct optimize_global *global, struct arena *arena);
 
@@ -78,7 +90,7 @@ struct global_kept {
  *           kept  room for `most`; receives them
  * Result    how many there are; once the watch has ended no more than one
  */
-size_t optimize_global_keep(const struct optimize_global *global, const struct optimize_task *task,
+size_t optimize_global_keep(struct optimize_global *global, const struct optimize_task *task,
                             size_t most, struct arena *arena, struct global_kept *kept);
 
 #endif

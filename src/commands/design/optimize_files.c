@@ -15,7 +15,8 @@
 /*
  * The body of a file: a byte for each start of its range that says whether it is done; then of each
  * that is, four bytes for the number of minima, eight for that of evaluations, and for each minimum
- * eight for its cost, its excess, and each variable.
+ * eight for its cost, its excess, and each variable; of a start without minima four for the length
+ * of why it is lost, and these words.
  */
 enum { COUNT_BYTES = 4, LONG_BYTES = 8 };
 
@@ -52,6 +53,10 @@ static void write_starts(const struct optimize_job *job, struct part_head *head,
             for (size_t j = 0; j < global->merit->variable_count; j++) {
                 body_put_double(&body, result->minima[i].parameters[j]);
             }
+        }
+        if (result->count == 0) {
+            bytes_put_little(&body, strlen(result->lost), COUNT_BYTES);
+            bytes_put(&body, result->lost, strlen(result->lost));
         }
     }
     division_write(head, bytes_text(&body), &arena, sink);
@@ -112,6 +117,16 @@ static bool take_result(const struct optimize_global *global, struct arena *aren
         for (size_t j = 0; j < numbers; j++) {
             minimum->parameters[j] = body_take_double(rest);
         }
+    }
+    if (count == 0) {
+        const uint64_t length =
+            rest->length < COUNT_BYTES ? UINT64_MAX : take_bytes(rest, COUNT_BYTES);
+        if (rest->length < length) {
+            return false;
+        }
+        result->lost = arena_string(arena, rest->start, (size_t)length);
+        rest->start += length;
+        rest->length -= (size_t)length;
     }
     return true;
 }

@@ -8,6 +8,7 @@
 #include "cli/options/vary.h"
 #include "cli/progress.h"
 #include "commands/analysis/analysis_options.h"
+#include "design/degenerate.h"
 #include "design/glass_map.h"
 #include "report/warnings.h"
 
@@ -421,6 +422,10 @@ bool optimize_judge(struct optimize_job *job, struct error *error)
     judge_end(job);
     if (!warn_of_power(job, error)) {
         return false;
+    }
+    const char *wrong = degenerate_words(&job->merit, job->found, job->run->arena);
+    if (wrong != NULL) {
+        return fail(error, ERROR_DOMAIN, "what was found is no lens: %s", wrong);
     }
     if (!lens_check(job->found, job->run->arena, &warnings, error)) {
         return error_prefix(error, "the lens that was found: ");

@@ -9,6 +9,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 #include <time.h>
 
 /* Of the few lenses that are kept; where there is no time left, fewer. */
@@ -27,7 +28,61 @@ static bool optimize_search_goes_on(void *context)
     if (job->run->watch != NULL && interrupt_came()) {
         atomic_store(&job->run->watch->is_ended, true);
     }
-    return !watch_is_ended(job->run->watch) && progress_clock() < job->until;
+    return watch_ask(job->run->watch) && progress_clock() < job->until;
+}
+
+/* No surfaces that lie behind each other. */
+static bool optimize_search_accepts(void *context, const struct lens *lens)
+{
+    const struct optimize_job *job = context;
+    struct lens_warnings warnings;
+    struct error ignored;
+    return lens_check(lens, job->run->arena, &warnings, &ignored);
+}
+
+/* A reason why starts are lost, and how many. */
+struct search_loss {
+    const char *words;
+    size_t count;
+};
+
+static int search_loss_compare(const void *one, const void *other)
+{
+    const struct search_loss *a = one, *b = other;
+    return a->count != b->count ? (a->count < b->count) - (a->count > b->count)
+                                : strcmp(a->words, b->words);
+}
+
+/* "8 as a ray is lost at surface 3 (miss), 4 as ...": the commonest first; null: none is lost. */
+static const char *search_losses_words(const struct optimize_job *job, size_t *lost)
+{
+    enum { MOST = 4 };
+    const struct optimize_global *global = job->global;
+    struct arena *arena = job->run->arena;
+    struct search_loss *losses = ARENA_ARRAY(arena, global->start_count, struct search_loss);
+    size_t kinds = 0, told = 0;
+    const char *words = NULL;
+    *lost = 0;
+    for (size_t k = 0; k < global->start_count; k++) {
+        const struct global_result *result = &global->results[k];
+        size_t i = 0;
+        if (!result->is_done || result->count > 0) {
+            continue;
+        }
+        while (i < kinds && strcmp(losses[i].words, result->lost) != 0) {
+            i++;
+        }
+        losses[i] = (struct search_loss){result->lost, i < kinds ? losses[i].count + 1 : 1};
+        kinds += i == kinds;
+        *lost += 1;
+    }
+    qsort(losses, kinds, sizeof *losses, search_loss_compare);
+    for (size_t i = 0; i < kinds && i < MOST; i++) {
+        words = arena_printf(arena, "%s%s%zu as %s", words != NULL ? words : "",
+                             words != NULL ? ", " : "", losses[i].count, losses[i].words);
+        told += losses[i].count;
+    }
+    return told < *lost ? arena_printf(arena, "%s, %zu otherwise", words, *lost - told) : words;
 }
 
 /* Now and then, whenever half a minute has passed. */
@@ -97,7 +152,7 @@ static const char *range_in_words(const struct optimize_job *job)
  */
 static size_t descend_last(struct optimize_job *job, size_t most, struct global_kept *kept)
 {
-    const struct optimize_global *global = job->global;
+    struct optimize_global *global = job->global;
     struct watch *watch = job->run->watch;
     const bool is_cut = job->is_late || job->incomplete != NULL;
     const int longest = is_cut ? CUT_ITERATIONS : LAST_ITERATIONS;
@@ -229,6 +284,7 @@ static size_t run_starts(struct optimize_job *job, size_t all)
         left -= global->results[k].is_done;
     }
     watch_begin(watch, "starts", left);
+    watch_tell(watch, optimize_global_tell, global);
     optimize_global_search(global, arena);
     if (job->state_path != NULL && watch_is_ended(watch)) {
         optimize_part_save(job);
@@ -260,6 +316,29 @@ static size_t run_starts(struct optimize_job *job, size_t all)
     return done;
 }
 
+/* What is to be said of the whole search, with the best lens. */
+static void search_warn(struct optimize_job *job, size_t done)
+{
+    const size_t refused = job->global->refused, most = optimize_keep_count(job->input);
+    size_t lost;
+    const char *losses = search_losses_words(job, &lost);
+    if (job->kept_count == 0) {
+        return;
+    }
+    if (lost > 0) {
+        optimize_warn(job->kept, "%zu of %zu starts %s lost: %s", lost, done,
+                      lost == 1 ? "was" : "were", losses);
+    }
+    if (refused > 0) {
+        optimize_warn(job->kept, "%zu of the best that were found %s no lens and %s left out",
+                      refused, refused == 1 ? "is" : "are", refused == 1 ? "is" : "are");
+    }
+    if (job->kept_count < most) {
+        optimize_warn(job->kept, "only %zu different lens%s found, of %zu to keep", job->kept_count,
+                      job->kept_count == 1 ? " was" : "es were", most);
+    }
+}
+
 bool optimize_search(struct optimize_job *job, const struct merit_question *question,
                      struct error *error)
 {
@@ -275,6 +354,7 @@ bool optimize_search(struct optimize_job *job, const struct merit_question *ques
                                        .threads = parallel_threads(input->threads),
                                        .watch = watch,
                                        .goes_on = optimize_search_goes_on,
+                                       .accepts = optimize_search_accepts,
                                        .context = job,
                                        .start_count = (size_t)input->global,
                                        .end = (size_t)input->global};
@@ -308,13 +388,16 @@ bool optimize_search(struct optimize_job *job, const struct merit_question *ques
     if (job->kept_count == 0 && all > 0) { /* why the lens itself is none */
         const struct optimize_task task = {
             .merit = &job->merit, .goes_on = optimize_search_goes_on, .context = job};
-        return optimize_run(&task, arena, &job->answer, error)
-                   ? fail(error, ERROR_DOMAIN, "none of %zu starts can be judged", done)
-                   : error_prefix(error, "none of %zu starts can be judged: ", done);
+        size_t lost;
+        const char *losses = search_losses_words(job, &lost);
+        losses = losses != NULL ? losses : "as what was found is no lens";
+        if (optimize_run(&task, arena, &job->answer, error)) {
+            return fail(error, ERROR_DOMAIN, "none of %zu starts leads to a lens: %s", done,
+                        losses);
+        }
+        return error_prefix(error, "none of %zu starts can be judged: %s; the lens itself: ", done,
+                            losses);
     }
-    if (job->kept_count > 0 && job->kept_count < optimize_keep_count(input)) {
-        optimize_warn(job->kept, "only %zu different lens%s found, of %ld to keep", job->kept_count,
-                      job->kept_count == 1 ? " was" : "es were", input->keep);
-    }
+    search_warn(job, done);
     return true;
 }
