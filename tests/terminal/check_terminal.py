@@ -345,6 +345,11 @@ def check_progress(checks, program):
                  f"slow rows: what stays is {lines}")
     status, _, error = slowly(program, batch, rows)
     checks.check(status == 0 and error == "", f"progress in a pipe: {error!r}")
+    _, error, _ = on_terminal(program, ["optimize", "double-gauss", "--vary", "R1..R11", "--goals",
+                                        "poly,efl=100", "--global", "40", "--rays", "60",
+                                        "--seconds", "1.5"], 100)
+    checks.check(re.search(r"optimize: \d+ starts  \d+ %  best merit [0-9.e-]+  ", error),
+                 f"progress of a search: {error!r}")
     # a sweep knows its end; held up, so that it takes long on any machine
     ours, terminal = pty.openpty()
     process = subprocess.Popen(program.command + ["spot", "double-gauss", "--field", "0..14:0.02"],

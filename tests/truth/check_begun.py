@@ -8,9 +8,12 @@ nearest one.
 """
 # SPDX-License-Identifier: MIT
 
+import csv
+import io
 import json
 import math
 import os
+import re
 import sys
 import tempfile
 
@@ -129,6 +132,41 @@ def check_assumed(program, checks, folder):
                          said["rays"].startswith("20 gauss"), f"{show} {words}: {said}")
 
 
+def stop_share(path):
+    """Of a written lens in air: the paraxial radius of its stop over the largest height of the
+    marginal ray."""
+    y, v, n, heights, stop = 1.0, 0.0, 1.0, [], None
+    with open(path, encoding="utf-8") as file:
+        for words in (line.split() for line in file):
+            if not words or words[0] not in ("surface", "stop"):
+                continue
+            behind = 1.0 if words[3] == "air" else float(words[3])
+            v -= 0 if words[1] == "-" else y * (behind - n) / float(words[1])
+            heights.append(abs(y))
+            stop = abs(y) if words[0] == "stop" else stop
+            y, n = y + float(words[2]) * v / behind, behind
+    return stop / max(heights)
+
+
+def check_degenerate(program, checks, folder):
+    """A stop between two lenses that may lie at the image within: such minima are none, others are
+    kept, and what is lost is named."""
+    path = os.path.join(folder, "relay.lens")
+    with open(path, "w", encoding="utf-8") as file:
+        file.write("wavelength d\nfield angle 0 2\naperture f/5\nfocus table\n"
+                   "goal poly, efl = 50\nsurface 60 5 1.6 - R~\nsurface -60 40 air - R~ t~[5,120]\n"
+                   "stop - 40 air - t~[5,120]\nsurface 40 5 1.6 - R~\n"
+                   "surface -40 60 air - R~ t~[10,200]\n")
+    result = program.run("optimize", path, "--global", "12", "--keep", "4", "--seed", "3",
+                         "--csv", "-o", os.path.join(folder, "found.lens"))
+    rows = list(csv.DictReader(io.StringIO(result.stdout.decode(), newline="")))
+    shares = [stop_share(os.path.join(folder, f"found-{row['rank']}.lens")) for row in rows]
+    checks.check(len(rows) > 1 and min(shares) > 1e-3, f"degenerate: {shares} {result.stderr}")
+    said = re.search(r"(\d+) of 12 starts (?:was|were) lost: (.*?)(;|$)", rows[0]["warning"])
+    checks.check(said and int(said[1]) == sum(int(count) for count in re.findall(
+        r"(?:^|, )(\d+) as ", said[2])), rows[0]["warning"])
+
+
 def main():
     """All of it."""
     program, checks = Program(sys.argv[1]), Checks()
@@ -137,6 +175,7 @@ def main():
         check_powerless(program, checks, folder)
         check_moved(program, checks, folder)
         check_assumed(program, checks, folder)
+        check_degenerate(program, checks, folder)
     for kind, (share, where) in sorted(checks.worst.items()):
         print(f"{kind}: at worst {share:.2g} of what is allowed, {where}")
     checks.finish()

@@ -3,7 +3,6 @@
 #include "commands/design/optimize_job.h"
 
 #include "base/parallel.h"
-#include "cli/interrupt.h"
 #include "cli/progress.h"
 #include "commands/analysis/analysis_cursor.h"
 
@@ -21,13 +20,10 @@ size_t optimize_keep_count(const void *data)
     return input->global > 0 ? (size_t)input->keep : 1;
 }
 
-/* Once an iteration, from any thread: the watch itself looks no sooner than a start is done. */
+/* Once an iteration, from any thread. */
 static bool optimize_search_goes_on(void *context)
 {
     const struct optimize_job *job = context;
-    if (job->run->watch != NULL && interrupt_came()) {
-        atomic_store(&job->run->watch->is_ended, true);
-    }
     return watch_ask(job->run->watch) && progress_clock() < job->until;
 }
 
