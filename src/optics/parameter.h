@@ -107,6 +107,14 @@ const char *parameter_mark_write(struct parameter parameter, struct arena *arena
 bool parameter_read(struct text text, bool (*takes)(enum parameter_kind kind),
                     struct parameter *parameter, struct error *error);
 
+/*
+ * The surface in front of a gap by any name of its thickness but a word of the positions: `last`,
+ * 2, t2, or the surface's own name. The same in every option that names gaps.
+ *
+ * Result    LENS_NONE: it names none
+ */
+size_t parameter_gap_find(const struct lens *lens, struct text name);
+
 /* Has a surface of this kind such a number? */
 bool parameter_suits(enum parameter_kind kind, const struct surface *surface);
 

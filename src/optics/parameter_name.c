@@ -151,6 +151,35 @@ bool parameter_read(struct text text, bool (*takes)(enum parameter_kind kind),
     return true;
 }
 
+size_t parameter_gap_find(const struct lens *lens, struct text name)
+{
+    struct text digits = name;
+    struct parameter parameter;
+    struct error ignored;
+    size_t number = 0;
+    for (size_t i = 0; i < digits.length; i++) {
+        const bool is_digit = char_is_digit(digits.start[i]) && i < MOST_DIGITS;
+        number =
+            is_digit && (i == 0 || number > 0) ? 10 * number + (size_t)(digits.start[i] - '0') : 0;
+    }
+    if (number > 0) {
+        return number <= lens->surface_count ? number - 1 : LENS_NONE;
+    }
+    if (text_same(name, "last")) {
+        return lens->surface_count - 1;
+    }
+    if (parameter_read(name, NULL, &parameter, &ignored)) {
+        const bool is_gap = parameter.kind == PARAMETER_THICKNESS;
+        return is_gap && parameter.surface < lens->surface_count ? parameter.surface : LENS_NONE;
+    }
+    for (size_t i = 0; i < lens->surface_count; i++) {
+        if (lens->surfaces[i].name != NULL && text_same(name, lens->surfaces[i].name)) {
+            return i;
+        }
+    }
+    return LENS_NONE;
+}
+
 bool parameter_is_mark(enum parameter_kind kind, const struct surface *surface)
 {
     return (parameter_type(kind)->is & PARAMETER_IS_MARK) != 0 && parameter_suits(kind, surface);

@@ -132,6 +132,34 @@ def check_assumed(program, checks, folder):
                          said["rays"].startswith("20 gauss"), f"{show} {words}: {said}")
 
 
+def check_names(program, checks, folder):
+    """A gap has the same names wherever gaps are named: of optimize --vary, of tolerance --adjust,
+    of --gap; two that mean one gap give the same bytes."""
+    path = os.path.join(folder, "named.lens")
+    with open(path, "w", encoding="utf-8") as file:
+        file.write("wavelength d\nfield angle 0 5\naperture epd 10\nfocus table\n"
+                   "position near far\nlet d4 3 5\nsurface 60 4 1.6 30\n"
+                   'surface -80 3 air 30 name="gap"\nsurface -50 2 1.7 30\nsurface 90 d4 air 30\n'
+                   "surface 70 3 1.6 30\nsurface -70 60 air 30\ntolerance R1..R6 0.2%\n")
+    for same in (("2", "t2", "gap"), ("4", "t4", "d4"), ("6", "t6", "last")):
+        answers = {"vary": [], "adjust": [], "gap": []}
+        for name in same:
+            answers["vary"].append(program.run("optimize", path, "--vary", name, "--goals",
+                                               "efl=60", "--show", "variables", "--csv").stdout)
+            for option in ("adjust", "gap"):
+                rows = program.rows("tolerance", path, f"--{option}", name, "--trials", "3",
+                                    "--rays", "6", "--refocus", "none")
+                if not isinstance(rows, str):
+                    rows[0]["compensation"] = None  # it is called as it was typed
+                answers[option].append(rows)
+        for option, said in answers.items():
+            checks.check(all(one == said[0] for one in said) and said[0] and
+                         not isinstance(said[0], str), f"{option} {same}: {said}")
+    for name in ("99", "t99"):
+        result = program.run("optimize", path, "--vary", name, "--goals", "efl=60")
+        checks.check(b"there is no thickness 99 to vary" in result.stderr, f"{name}: {result}")
+
+
 def stop_share(path):
     """Of a written lens in air: the paraxial radius of its stop over the largest height of the
     marginal ray."""
@@ -176,6 +204,7 @@ def main():
         check_moved(program, checks, folder)
         check_assumed(program, checks, folder)
         check_degenerate(program, checks, folder)
+        check_names(program, checks, folder)
     for kind, (share, where) in sorted(checks.worst.items()):
         print(f"{kind}: at worst {share:.2g} of what is allowed, {where}")
     checks.finish()

@@ -211,11 +211,19 @@ static bool vary_check_kind(const struct vary_parser *naming, struct parameter w
            error_hint(error, "R%zu varies the curvature", what.surface + 1);
 }
 
-/* R1, with a suggestion also from the words of the lens. */
+/* R1, or another name of a gap, with a suggestion also from the words of the lens. */
 static bool read_parameter(const struct vary_parser *naming, struct text name,
                            struct parameter *parameter, struct error *error)
 {
     const struct lens *lens = naming->reader->lens;
+    const struct parameter gap = {parameter_gap_find(lens, name), PARAMETER_THICKNESS, 0};
+    if (gap.surface != LENS_NONE) {
+        *parameter = gap;
+        return true;
+    }
+    if (name.length > 0 && char_is_digit(*name.start)) { /* of no surface that there is */
+        name = text_of(arena_printf(naming->reader->arena, "t%.*s", (int)name.length, name.start));
+    }
     if (parameter_read(name, naming->reader->takes, parameter, error)) {
         return true;
     }
@@ -325,6 +333,34 @@ static bool vary_read_range(struct vary_parser *naming, struct text name, const 
            vary_add_range(naming, first, last.surface + 1, error);
 }
 
+/*
+ * The word that a name stands for: itself, or that in the cell of the gap that it names. LENS_NONE:
+ * none.
+ */
+static bool vary_find_word(const struct vary_parser *naming, struct text name, size_t *word,
+                           struct error *error)
+{
+    const struct lens *lens = naming->reader->lens;
+    for (*word = 0; *word < lens->variable_count; *word += 1) {
+        if (text_identical(lens->variables[*word].name, name)) {
+            return true;
+        }
+    }
+    const size_t gap = parameter_gap_find(lens, name);
+    *word = gap != LENS_NONE ? lens->surfaces[gap].thickness.variable : LENS_NONE;
+    for (size_t i = 0; i < lens->surface_count && *word != LENS_NONE; i++) {
+        if (i != gap && lens->surfaces[i].thickness.variable == *word) {
+            const struct text is = lens->variables[*word].name;
+            return fail(error, ERROR_USAGE,
+                        "bad part '%.*s' in {--%s}: it is %.*s, as the gap after surface %zu is: "
+                        "name that, which is all of them",
+                        text_shown(naming->item), naming->item.start, naming->option,
+                        text_shown(is), is.start, i + 1);
+        }
+    }
+    return true;
+}
+
 static bool vary_read_item(struct vary_parser *naming, struct text item, struct error *error)
 {
     struct text bounds = item, name = text_trim(text_cut(&bounds, '['));
@@ -335,11 +371,11 @@ static bool vary_read_item(struct vary_parser *naming, struct text item, struct 
     naming->item = item;
     naming->bounds = bounds;
     naming->is_group = false;
-    size_t known = 0;
-    while (known < lens->variable_count && !text_identical(lens->variables[known].name, word)) {
-        known++;
+    size_t known;
+    if (!vary_find_word(naming, word, &known, error)) {
+        return false;
     }
-    if (known < lens->variable_count) {
+    if (known != LENS_NONE) {
         /* d5@tele */
         size_t at = position.start != NULL ? lens_position_find(lens, position) : LENS_NONE;
         if (position.start != NULL && at == LENS_NONE) {

@@ -183,7 +183,7 @@ static bool open_variables(struct optimize_job *job, struct error *error)
         const size_t position = one->position != LENS_NONE ? one->position : 0;
         const struct lens *lens = lens_at_position(job->lens, position, arena);
         const bool is_bounded = !isinf(one->low) || !isinf(one->high);
-        if (one->what.kind == PARAMETER_THICKNESS && !is_bounded &&
+        if (one->what.kind == PARAMETER_THICKNESS && at < lens->surface_count && !is_bounded &&
             (job->input->global > 0 || lens->surfaces[at].kind == SURFACE_STOP ||
              (at + 1 < lens->surface_count && lens->surfaces[at + 1].kind == SURFACE_STOP))) {
             if (parameter_get(lens, one->what) >= 0) {

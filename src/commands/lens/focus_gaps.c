@@ -24,24 +24,6 @@ static bool focus_gaps_add(struct named_gap *gaps, size_t *count, struct named_g
     return true;
 }
 
-static size_t focus_gaps_surface_of(const struct lens *lens, struct text name)
-{
-    double number;
-    struct error ignored;
-    if (text_same(name, "last")) {
-        return lens->surface_count - 1;
-    }
-    for (size_t i = 0; i < lens->surface_count; i++) {
-        if (lens->surfaces[i].name != NULL && text_same(name, lens->surfaces[i].name)) {
-            return i;
-        }
-    }
-    bool is_number = quantity_read(name, &dimension_number, NULL, &number, NULL, &ignored);
-    bool exists = is_number && number >= 1 && number <= (double)lens->surface_count &&
-                  number == floor(number);
-    return exists ? (size_t)number - 1 : LENS_NONE;
-}
-
 bool focus_gaps_read(struct text text, const struct lens *lens, struct named_gap *gaps,
                      size_t *count, struct error *error)
 {
@@ -75,7 +57,7 @@ bool focus_gaps_read(struct text text, const struct lens *lens, struct named_gap
         if (found) {
             continue;
         }
-        gap.gap.surface = focus_gaps_surface_of(lens, gap.name);
+        gap.gap.surface = parameter_gap_find(lens, gap.name);
         if (gap.gap.surface == LENS_NONE) {
             struct text name = gap.name;
             struct nearest nearest = {.typed = name};
@@ -84,8 +66,8 @@ bool focus_gaps_read(struct text text, const struct lens *lens, struct named_gap
             }
             fail(error, ERROR_USAGE,
                  "{--gap} '%.*s' is not a gap: it must be a variable of the lens, the number (1 to "
-                 "%zu) or name of the surface before it, or 'last'",
-                 text_shown_up_to(name, 40), name.start, lens->surface_count);
+                 "%zu, or t1 to t%zu) or name of the surface before it, or 'last'",
+                 text_shown_up_to(name, 40), name.start, lens->surface_count, lens->surface_count);
             return nearest.best.start != NULL &&
                    error_hint(error, "did you mean '%.*s'?", (int)nearest.best.length,
                               nearest.best.start);

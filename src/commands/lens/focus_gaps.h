@@ -14,8 +14,8 @@ struct named_gap {
 };
 
 /*
- * Read NAME[:WEIGHT],... where NAME is a variable of the lens that stands for thicknesses, the
- * number or the name of the surface before the gap, or `last`, the gap to the image plane.
+ * Read NAME[:WEIGHT],... where NAME is a variable of the lens that stands for thicknesses, or any
+ * name of parameter_gap_find: `last` is the gap to the image plane.
  *
  * Given     lens  as read, with its variables
  *           gaps  room for FOCUS_GAPS
