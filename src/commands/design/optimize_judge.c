@@ -425,7 +425,7 @@ bool optimize_judge(struct optimize_job *job, struct error *error)
     }
     const char *wrong = degenerate_words(&job->merit, job->found, job->run->arena);
     if (wrong != NULL) {
-        return fail(error, ERROR_DOMAIN, "what was found is no lens: %s", wrong);
+        optimize_warn(job, "what was found is no lens: %s", wrong);
     }
     if (!lens_check(job->found, job->run->arena, &warnings, error)) {
         return error_prefix(error, "the lens that was found: ");
