@@ -31,6 +31,7 @@ ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 SHARED = os.path.join(os.path.dirname(ROOT), "shared")
 EVERYTHING = bool(os.environ.get("LENSCALC_ALL"))
 VALIDATE = os.environ.get("LENSCALC_VALIDATE")
+NEED_SOLVER = ("fit", "bench")  # commands that a build without Ceres has not
 
 
 def exact(number):

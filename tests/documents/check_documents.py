@@ -40,7 +40,7 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 import keyword_tables
-from harness import EVERYTHING, ROOT, Checks, Program
+from harness import EVERYTHING, NEED_SOLVER, ROOT, Checks, Program
 
 KEY = re.compile(r"\[([A-Z][A-Za-z]*[0-9]{2}[a-z]?)\]")
 NOT_RUN = ("make", "sudo")
@@ -124,7 +124,8 @@ def form_of(lines):
 
 def lacking(program, command):
     """What the command needs and is not here; what follows in its block may need its files."""
-    if command.startswith(("lenscalc fit", "lenscalc bench")) and not program.has_solver():
+    needs = command.startswith(tuple(f"lenscalc {name}" for name in NEED_SOLVER))
+    if needs and not program.has_solver():
         return "the solver"
     return next((tool for tool in TOOLS
                  if re.search(rf"(?<![\w-]){tool} ", command) and not shutil.which(tool)), None)
@@ -164,11 +165,11 @@ def check_examples(checks, examples, path, blocks):
         for number, command, expected in examples_of(start, block):
             if command.split()[0] in NOT_RUN:
                 continue
+            count += 1
             lacks = lacking(program, command)
             if lacks:
                 print(f"{path}:{number}: $ {command}: skipped, {lacks} is not here")
                 break
-            count += 1
             if is_left_out(command):
                 break
             commands.append(command)
