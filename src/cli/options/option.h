@@ -351,6 +351,7 @@ struct option {
     const char *excludes;     /* options beside which one of both says nothing: "coc trail" */
     const char *why;          /* they do: "raw numbers have no white balance"; null = plainly */
     const char *fallback;     /* what it is if not given, as it would be typed; null = absent */
+    const char *bare; /* what it is if given without a number behind it; null: it needs a value */
     const struct word *words; /* of a choice: the place in the list is the value */
     const struct word *(*word_at)(size_t i); /* the same from a list that is kept elsewhere */
     file_types *types; /* how the name of a file may end; null = as it likes */

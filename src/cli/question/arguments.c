@@ -159,6 +159,12 @@ static bool names_option(const struct arguments *arguments, const char *word)
            arguments_find(arguments, text_cut(&rest, '=')) != NULL;
 }
 
+/* May it be the value of an option that goes without one? */
+static bool begins_number(const char *word)
+{
+    return char_is_digit(word[word[0] == '.']);
+}
+
 /* Store the text of an option; `text.start` is null where none was attached to its name. */
 static bool arguments_take(const struct arguments *arguments, struct argument *argument,
                            struct text text, struct words *words, struct error *error)
@@ -170,6 +176,10 @@ static bool arguments_take(const struct arguments *arguments, struct argument *a
     }
     if (is_flag(argument) && text.start != NULL) {
         return fail(error, ERROR_USAGE, "--%s takes no value", name);
+    }
+    if (argument->option->bare != NULL && text.start == NULL &&
+        !(words->at < words->count && begins_number(words->all[words->at]))) {
+        text = text_of(argument->option->bare);
     }
     if (!is_flag(argument) && text.start == NULL) {
         if (words->at == words->count || names_option(arguments, words->all[words->at])) {

@@ -1,5 +1,6 @@
 /* commands/data/cmd_convert.c - lenscalc convert: lens files of other programs, changed lenses. */
 /* SPDX-License-Identifier: MIT */
+#include "analysis/rays/clear_diameters.h"
 #include "commands/data/check_files.h"
 #include "commands/lens/lens_options.h"
 #include "commands/tables.h"
@@ -17,6 +18,7 @@ struct convert_input {
     int to, unit;
     bool reverse;
     double scale, focal_length;
+    double margin; /* of --set-diameters; NaN: they stay */
     const char *position;
 };
 
@@ -60,6 +62,7 @@ static const struct option options[] = {
     {MEASURE(focal_length, length, "mm", "LENGTH"), .name = "focal-length", .letter = 'f',
      .lowest = 0, .highest = 1e9, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY,
      .help = "scale to this focal length at the primary wavelength, in the first position"},
+    {ASKED(margin), LENS_DIAMETERS_OPTION},
     {ASKED(unit), .name = "unit", .word_at = unit_word_at, .fallback = "keep", .value = "UNIT",
      .help = "unit of the lengths in the file"},
 };
@@ -75,6 +78,7 @@ struct conversion {
     const char *position; /* that stands for a focal length; null = none does */
     const char *left_out; /* marks and pick-ups that --reverse leaves out; null = none */
     size_t goals;         /* that a lens turned around or scaled has no more */
+    const char *margins;  /* that --set-diameters could not give; null = all are there */
 };
 
 static bool choose_position(struct conversion *conversion, struct error *error)
@@ -126,6 +130,15 @@ static bool convert_scale(struct conversion *conversion, struct error *error)
     return true;
 }
 
+static bool convert_set_diameters(struct conversion *conversion, struct error *error)
+{
+    const struct clear_diameters_question question = {
+        .lens = conversion->lens, .fnumber = NAN, .margin = conversion->input->margin};
+    return clear_diameters_find(&question, conversion->arena, &conversion->lens,
+                                &conversion->margins, error) ||
+           error_prefix(error, "{--set-diameters}: ");
+}
+
 static bool convert_change(struct conversion *conversion, struct error *error)
 {
     const struct convert_input *input = conversion->input;
@@ -148,7 +161,7 @@ static bool convert_change(struct conversion *conversion, struct error *error)
         conversion->lens =
             lens_in_unit(conversion->lens, lens_units[input->unit - 1].word, conversion->arena);
     }
-    return true;
+    return isnan(input->margin) || convert_set_diameters(conversion, error);
 }
 
 /* What --to says. */
@@ -185,6 +198,17 @@ static struct text remarks_of(struct conversion *conversion, const struct lens *
         }
     }
     foreign_losses(&conversion->job, &lost);
+    if (conversion->margins != NULL) {
+        growing_format(&lost, "%s: %s\n", input->lens.source, conversion->margins);
+    }
+    struct lens_warnings warnings = {.count = 0};
+    struct error ignored;
+    if (!isnan(input->margin)) {
+        lens_check(conversion->lens, conversion->arena, &warnings, &ignored);
+    }
+    for (size_t i = 0; i < warnings.count; i++) {
+        growing_format(&lost, "%s: %s\n", input->lens.source, warnings.texts[i]);
+    }
     if (conversion->position != NULL) {
         growing_format(&lost, "%s: position '%s' is the nearest to %s\n", input->lens.source,
                        conversion->position, input->position);
@@ -257,6 +281,7 @@ static const struct example examples[] = {
     {"convert double-gauss --scale 0.1 --unit cm", "scaled exactly, written in centimetres"},
     {"convert double-gauss --reverse", "turned around"},
     {"convert nikkor-z-14-24 --position tele", "one position of a zoom"},
+    {"convert cooke-triplet-50 --set-diameters", "surfaces as large as its beams, and 2 % more"},
     {NULL, NULL},
 };
 

@@ -82,6 +82,7 @@ static const struct option options[] = {
     {OPTION(struct optimize_input, part), .name = "part", .value = "I/N", .flags = OPTION_ASIDE,
      .wants = "global", .excludes = "seconds",
      .help = "only part I of N of the starts, into a .part for 'lenscalc merge'"},
+    {OPTION(struct optimize_input, margin), LENS_DIAMETERS_OPTION},
     {OPTION(struct optimize_input, show), .name = "show", .words = shows, .fallback = "answer",
      .value = "WHAT", .help = "which rows"},
 };

@@ -31,6 +31,7 @@ struct optimize_input {
     double spread;
     struct part part; /* count 0: all of it */
     double seconds;   /* NaN = as long as it takes */
+    double margin;    /* of --set-diameters; NaN = they stay */
     bool clip, no_clip;
 };
 

@@ -3,6 +3,7 @@
 #include "commands/design/optimize_job.h"
 
 #include "analysis/image/mtf.h"
+#include "analysis/rays/clear_diameters.h"
 #include "base/constants.h"
 #include "cli/options/goals.h"
 #include "cli/options/vary.h"
@@ -393,6 +394,32 @@ static void judge_end(struct optimize_job *job)
     }
 }
 
+/* Diameters of the lens that was found, where they are wanted; one that cannot have them is kept as
+   it is, but is not what was asked for. */
+static void set_diameters(struct optimize_job *job)
+{
+    const struct merit_question *question = &job->merit.question;
+    const struct clear_diameters_question asked = {.lens = job->found,
+                                                   .fnumber = question->fnumber,
+                                                   .fields = question->fields,
+                                                   .field_count = question->field_count,
+                                                   .wavelengths = question->wavelengths,
+                                                   .wavelength_count = question->wavelength_count,
+                                                   .margin = job->input->margin};
+    const char *notes;
+    struct error why;
+    if (isnan(job->input->margin)) {
+        return;
+    }
+    if (!clear_diameters_find(&asked, job->run->arena, &job->found, &notes, &why)) {
+        job->incomplete =
+            arena_printf(job->run->arena, "its diameters are not set: %s", why.message);
+        fail(&job->run->shortfall, ERROR_DOMAIN, "%s", job->incomplete);
+    } else if (notes != NULL) {
+        optimize_warn(job, "%s", notes);
+    }
+}
+
 bool optimize_judge(struct optimize_job *job, struct error *error)
 {
     static const char *const words[] = {
@@ -420,6 +447,7 @@ bool optimize_judge(struct optimize_job *job, struct error *error)
     warn_of_missed_contrast(job);
     warn_of_contrast(job);
     judge_end(job);
+    set_diameters(job);
     if (!warn_of_power(job, error)) {
         return false;
     }

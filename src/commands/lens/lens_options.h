@@ -56,6 +56,13 @@ extern const struct word section_words[];
 #define LENS_ALL_WAVELENGTHS    "all of the lens, the primary first"
 #define LENS_PRIMARY_WAVELENGTH "the primary one of the lens"
 
+/* Diameters from the beams: a margin, which may be left out. */
+#define LENS_DIAMETERS_OPTION                                                                      \
+    .dimension = &dimension_ratio, .unit = "%", .name = "set-diameters", .lowest = 0,              \
+    .highest = 1, .bare = "2", .value = "[MARGIN]",                                                \
+    .help = "diameters that let the beams of all fields, wavelengths and positions pass, and so "  \
+            "much more; 2 % where no number follows"
+
 #define LENS_FNUMBER_OPTION(S, member)                                                             \
     ENTRY(OPTION(S, member.fnumber), .name = "aperture", .quantity = "f-number", .letter = 'N',    \
           .column = "fnumber", .dimension = &dimension_fnumber, .lowest = 0, .highest = INFINITY,  \
