@@ -1,4 +1,4 @@
-/* analysis/rays/clear_diameters.c - diameters of a lens's surfaces from the beams that cross them. */
+/* analysis/rays/clear_diameters.c - diameters of surfaces from the beams that cross them. */
 /* SPDX-License-Identifier: MIT */
 #include "analysis/rays/clear_diameters.h"
 
@@ -11,7 +11,7 @@
 
 enum { DIRECTIONS = 64 };
 
-/* Heights in the stop, in units of its radius: near a caustic the outermost ray is not the rim's. */
+/* Heights in the stop, in units of its radius: near a caustic the rim is not the outermost. */
 static const double heights[] = {1, 0.9, 0.7, 0.4};
 enum { HEIGHTS = sizeof heights / sizeof heights[0] };
 

@@ -1,4 +1,4 @@
-/* analysis/rays/clear_diameters.h - diameters of a lens's surfaces from the beams that cross them. */
+/* analysis/rays/clear_diameters.h - diameters of surfaces from the beams that cross them. */
 /* SPDX-License-Identifier: MIT */
 #ifndef LENSCALC_ANALYSIS_RAYS_CLEAR_DIAMETERS_H
 #define LENSCALC_ANALYSIS_RAYS_CLEAR_DIAMETERS_H
