@@ -3,6 +3,7 @@
 #include "design/optimize.h"
 
 #include "design/merit/merit_beams.h"
+#include "design/optimize_descend.h"
 
 #include <math.h>
 #include <string.h>
@@ -50,6 +51,7 @@ static bool open_eased(struct eased_merit *easing, const struct operand *operand
         return false;
     }
     easing->has_wanted_beam = merit_aperture_of_wanted(&easing->eased);
+    easing->eased.forgets = easing->task->merit->forgets;
     for (size_t i = 0; i < easing->eased.place_count; i++) {
         struct aperture_setting *aperture = &easing->eased.places[i].aperture;
         aperture->value *= aperture->kind == APERTURE_FNUMBER ? 1 / easing->share : easing->share;
@@ -242,12 +244,17 @@ bool optimize_begin(const struct optimize_task *task, double *numbers, struct ar
 
 /* -------- and on from there -------- */
 
+/* Iterations, where nobody says how many: on beyond the usual ones while the last of them gain. */
+enum { USUAL_ITERATIONS = 200, MOST_ITERATIONS = 1000, LAST_ITERATIONS = 20 };
+static const double last_gain = 0.01;
+
 /* A run, as its progress is told. */
 struct optimize_progress {
     const struct optimize_task *task;
     struct optimize_answer *answer;
     struct arena *arena;
     size_t room;
+    bool is_at_limit; /* of iterations, whose last gain little */
 };
 
 /* Steps that gain a smaller share of the merit are the last ones: a lens is not known better. */
@@ -353,7 +360,15 @@ static void optimize_note(struct optimize_progress *running, double merit)
 static bool progress(void *context, const struct solver_progress *progress)
 {
     struct optimize_progress *running = context;
+    const struct optimize_answer *answer = running->answer;
     optimize_note(running, 2 * progress->cost);
+    if (running->task->iterations == 0 && answer->history_count > USUAL_ITERATIONS) {
+        const double *last = &answer->history[answer->history_count - 1];
+        running->is_at_limit = !(last[-LAST_ITERATIONS] - *last > last_gain * *last);
+        if (running->is_at_limit) {
+            return false;
+        }
+    }
     return running->task->goes_on == NULL || running->task->goes_on(running->task->context);
 }
 
@@ -375,6 +390,8 @@ static bool optimize_run_once(struct optimize_progress *running, double *jacobia
     struct merit *merit = task->merit;
     const size_t size = merit->residual_count * sizeof(double);
     running->room = 0;
+    running->is_at_limit = false;
+    merit->limit->count = 0;
     *answer = (struct optimize_answer){.before = new_state(merit, arena),
                                        .after = new_state(merit, arena),
                                        .is_idle = ARENA_ARRAY(arena, merit->variable_count, bool)};
@@ -410,15 +427,20 @@ static bool optimize_run_once(struct optimize_progress *running, double *jacobia
         memcpy(before->values, after->values, size);
     }
     optimize_note(running, after->merit);
-    const struct solver_problem problem = optimize_problem(merit);
-    const struct solver_options options = {.engine = task->engine,
-                                           .iterations = task->iterations,
-                                           .function = least_gain,
-                                           .lean = true,
-                                           .progress = progress,
-                                           .progress_context = running};
-    if (!solver_run(&problem, &options, after->numbers, arena, &answer->summary, error)) {
+    const struct optimize_descent descent = {
+        .merit = merit,
+        .options = {.engine = task->engine,
+                    .iterations = task->iterations > 0 ? task->iterations : MOST_ITERATIONS,
+                    .function = least_gain,
+                    .lean = true,
+                    .progress = progress,
+                    .progress_context = running},
+        .arena = arena};
+    if (!optimize_descend(&descent, after->numbers, &answer->summary, &answer->limit, error)) {
         return false;
+    }
+    if (running->is_at_limit) {
+        answer->summary.status = SOLVER_LIMIT;
     }
     if (!optimize_look(merit, after, jacobian)) {
         *error = merit->why;
@@ -427,21 +449,97 @@ static bool optimize_run_once(struct optimize_progress *running, double *jacobia
     return true;
 }
 
+/* The same; where rays are just lost, some are found only from a lens that still has them. */
+static bool optimize_run_any(const struct optimize_task *task, struct arena *arena,
+                             double *jacobian, struct optimize_answer *answer, struct error *error)
+{
+    struct optimize_progress running = {.task = task, .answer = answer, .arena = arena};
+    bool found = optimize_run_once(&running, jacobian, error);
+    if (!found && !task->merit->forgets) {
+        task->merit->forgets = true;
+        found = optimize_run_once(&running, jacobian, error);
+    }
+    if (found) {
+        optimize_find_effects(task->merit, answer->after.residuals, jacobian, answer->is_idle);
+        optimize_note(&running, answer->after.merit);
+    }
+    return found;
+}
+
+/* -------- around where rays cannot be aimed -------- */
+
+/* Did that keep it from better lenses? So many of a descent's steps come to nothing by it. */
+static bool is_hindered(const struct optimize_task *task, const struct optimize_answer *answer,
+                        bool found)
+{
+    static const double many = 0.08;
+    const struct merit *merit = task->merit;
+    const double count = (double)merit->limit->count;
+    return !merit->question.from_entrance &&
+           (task->goes_on == NULL || task->goes_on(task->context)) &&
+           (found ? answer->limit.is_of_aim || count > many * (double)answer->summary.evaluations
+                  : count > 0);
+}
+
+/* By points of the paraxial entrance pupil, which need no aim, and on from there by the stop. */
+static bool optimize_detour(const struct optimize_task *task, const double *from,
+                            struct arena *arena, double *jacobian, struct optimize_answer *answer)
+{
+    struct merit_question question = task->merit->question;
+    struct optimize_task way = *task, back = *task;
+    struct optimize_answer there;
+    struct error ignored;
+    question.from_entrance = true;
+    way.merit = ARENA_NEW(arena, struct merit);
+    way.start = from;
+    if (!merit_open(&question, arena, way.merit, &ignored)) {
+        return false;
+    }
+    double *other = ARENA_ARRAY(
+        arena, way.merit->residual_count * way.merit->variable_count + 1, double);
+    if (!optimize_run_any(&way, arena, other, &there, &ignored)) {
+        return false;
+    }
+    back.start = there.after.numbers;
+    if (!optimize_run_any(&back, arena, jacobian, answer, &ignored)) {
+        return false;
+    }
+    answer->summary.iterations += there.summary.iterations;
+    answer->summary.evaluations += there.summary.evaluations;
+    answer->summary.derivatives += there.summary.derivatives;
+    return true;
+}
+
 bool optimize_run(const struct optimize_task *task, struct arena *arena,
                   struct optimize_answer *answer, struct error *error)
 {
     struct merit *merit = task->merit;
-    struct optimize_progress running = {.task = task, .answer = answer, .arena = arena};
     double *jacobian =
         ARENA_ARRAY(arena, merit->residual_count * merit->variable_count + 1, double);
-    if (!optimize_run_once(&running, jacobian, error)) {
-        /* where rays are just lost, some are found only from a lens that still has them */
-        merit->forgets = true;
-        if (!optimize_run_once(&running, jacobian, error)) {
-            return false;
+    double *own = ARENA_ARRAY(arena, merit->variable_count + 1, double);
+    bool found = optimize_run_any(task, arena, jacobian, answer, error);
+    bool is_hindered_still = is_hindered(task, answer, found);
+    variables_get(merit->question.variables, own);
+    /* from where it ended, then from where it began */
+    for (int i = found ? 0 : 1; i < 2 && is_hindered_still; i++) {
+        const double *begun = task->start != NULL ? task->start : own;
+        struct optimize_answer other;
+        if (!optimize_detour(task, i == 0 ? answer->after.numbers : begun, arena, jacobian,
+                             &other) ||
+            (found && !(other.after.merit < answer->after.merit))) {
+            continue;
         }
+        if (found) {
+            other.before = answer->before;
+            other.begun = answer->begun;
+            other.summary.iterations += answer->summary.iterations;
+            other.summary.evaluations += answer->summary.evaluations;
+            other.summary.derivatives += answer->summary.derivatives;
+        }
+        other.is_detour = true;
+        *answer = other;
+        found = true;
+        is_hindered_still = is_hindered(task, answer, found);
     }
-    optimize_find_effects(merit, answer->after.residuals, jacobian, answer->is_idle);
-    optimize_note(&running, answer->after.merit);
-    return true;
+    return found;
 }

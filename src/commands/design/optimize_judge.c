@@ -420,6 +420,20 @@ static void set_diameters(struct optimize_job *job)
     }
 }
 
+/* Where it ended though the merit falls beyond. */
+static const char *limit_in_words(const struct optimize_job *job)
+{
+    const struct merit_limit *limit = &job->answer.limit;
+    struct arena *arena = job->run->arena;
+    const char *position = job->merit.places[limit->place].setup.position;
+    return arena_printf(
+        arena, "%s: field %s, %s%s%s",
+        limit->is_of_aim ? "stopped at a limit of aiming" : "stopped where rays are lost",
+        lens_field_words(limit->field, arena),
+        limit->surface > 0 ? arena_printf(arena, "surface %zu", limit->surface) : "the stop",
+        position != NULL ? ", position " : "", position != NULL ? position : "");
+}
+
 bool optimize_judge(struct optimize_job *job, struct error *error)
 {
     static const char *const words[] = {
@@ -434,6 +448,9 @@ bool optimize_judge(struct optimize_job *job, struct error *error)
     const char *moved = variables_moved(&job->variables, job->run->arena);
     if (moved != NULL) {
         optimize_warn(job, "%s", moved);
+    }
+    if (job->answer.limit.is_known) {
+        job->status = limit_in_words(job);
     }
     if (job->answer.begun != NULL) {
         optimize_warn(job, "%s", job->answer.begun);

@@ -30,6 +30,8 @@ static void merit_beams_find_links(struct merit *merit, const struct merit_slot 
 bool merit_beams_begin(struct merit *merit, const struct merit_slot *slot, struct bundle_wish *wish,
                        struct arena *arena, struct merit_beams *beams, struct error *error)
 {
+    wish->limit = merit->limit;
+    wish->place = slot->place;
     *beams = (struct merit_beams){.bundle = {.wish = *wish}};
     beams->links = ARENA_ARRAY(arena, wish->wavelength_count, struct bundle_links);
     merit->derives = true; /* the links of the lens at the start */

@@ -419,6 +419,21 @@ static bool aim_block(struct merit_bundle *bundle, struct bundle_block *block, s
                                 : aimed_at_entrance(&block->aimed, system, &bundle->first, error);
 }
 
+/* Where a ray is lost that has to arrive. */
+static void merit_bundle_limit(const struct merit_bundle *bundle, const struct bundle_lane *lane,
+                               size_t surface, bool is_of_aim)
+{
+    if (bundle->wish.limit != NULL) {
+        *bundle->wish.limit = (struct merit_limit){.is_known = true,
+                                                   .is_of_aim = is_of_aim,
+                                                   .count = bundle->wish.limit->count + is_of_aim,
+                                                   .place = bundle->wish.place,
+                                                   .field =
+                                                       &bundle->wish.fields[lane->field].point,
+                                                   .surface = surface};
+    }
+}
+
 bool merit_bundle_aim(struct merit_bundle *bundle, const struct lens *lens,
                       const struct dual_first *first, struct error *error)
 {
@@ -450,6 +465,10 @@ bool merit_bundle_aim(struct merit_bundle *bundle, const struct lens *lens,
     for (size_t k = 0; k < bundle->block_count; k++) {
         struct bundle_block *block = &bundle->blocks[k];
         block->is_lost = !aim_block(bundle, block, error);
+        if (block->is_lost && block->aimed.at_stop) {
+            const struct aimed_beam *beam = &block->aimed.beams[block->aimed.lost_beam];
+            merit_bundle_limit(bundle, &block->lanes[beam->first], block->aimed.lost_surface, true);
+        }
         if ((block->is_lost && !bundle->wish.is_apart) ||
             (is_first && !merit_bundle_goes_on(bundle, (size_t)block->aimed.lanes, error))) {
             return false;
@@ -465,6 +484,8 @@ bool merit_bundle_trace(struct merit_bundle *bundle, size_t block, bool derives,
     aimed_trace(&bundle->blocks[block].aimed, derives, end);
     for (int i = 0; i < bundle->blocks[block].aimed.count; i++) {
         if (end->lost[i] != 0) {
+            merit_bundle_limit(bundle, &bundle->blocks[block].lanes[i],
+                               ray_block_surface(end, (size_t)i), false);
             return fail(error, ERROR_DOMAIN, "a ray of field %zu is lost at surface %zu (%s)",
                         bundle->blocks[block].lanes[i].field + 1, ray_block_surface(end, (size_t)i),
                         ray_status_name(ray_block_status(end, (size_t)i)));

@@ -4,6 +4,7 @@
 #define LENSCALC_DESIGN_MERIT_MERIT_BUNDLE_H
 
 #include "analysis/setup/setup.h"
+#include "design/merit/merit_limit.h"
 #include "design/merit/merit_points.h"
 #include "design/tolerance/irregularity.h"
 #include "design/variable.h"
@@ -41,6 +42,8 @@ struct bundle_wish {
     size_t rays;
     uint64_t seed;
     struct watch *watch; /* as in merit_question */
+    struct merit_limit *limit; /* receives where rays are lost; or null */
+    size_t place;              /* of its */
 };
 
 /* One field at one wavelength. */

@@ -12,6 +12,7 @@ void merit_begin(struct merit *merit, const struct merit_question *question, str
     *merit = (struct merit){.question = *question,
                             .variable_count =
                                 question->variable_count + merit_irregular_columns(question),
+                            .limit = ARENA_NEW(arena, struct merit_limit),
                             .arena = arena};
 }
 
@@ -153,6 +154,7 @@ bool merit_places_open(struct merit *merit, struct arena *arena, struct error *e
 void merit_put_lens(struct merit *merit, const double *parameters, bool derives)
 {
     merit->evaluation++;
+    merit->limit->is_known = false;
     merit->derives = derives;
     merit->parameters = parameters;
     for (size_t i = 0; i < merit->place_count; i++) {

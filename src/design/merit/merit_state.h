@@ -8,6 +8,7 @@
 #include "base/dual.h"
 #include "base/error.h"
 #include "base/watch.h"
+#include "design/merit/merit_limit.h"
 #include "design/merit/operand.h"
 #include "design/solver/solver.h"
 #include "design/tolerance/irregularity.h"
@@ -114,6 +115,7 @@ struct merit {
     double *values;          /* one a residual, of the last evaluation: a figure in its own unit, of
                             rays the residual itself */
     struct error why;        /* why the last evaluation gave nothing */
+    struct merit_limit *limit; /* the same, of rays */
     struct dual *change;     /* one figure, by every variable */
     struct arena *arena;     /* for what is given up before an evaluation ends */
     /* internal */

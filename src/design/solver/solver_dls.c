@@ -472,7 +472,7 @@ static bool descent_shorten(struct descent *descent, bool has_value, double prom
 }
 
 /* Go there, after a step that gained a share of what it promised. Result: false: there are no
-   derivatives there */
+   derivatives there, and it is back where it was */
 static bool descent_accept(struct descent *descent, double gained)
 {
     const bool learns = descent->problem->scale != NULL;
@@ -485,6 +485,11 @@ static bool descent_accept(struct descent *descent, double gained)
     descent->here = descent->there;
     descent->there = left;
     if (!descent_measure(descent, &descent->here, descent->jacobian)) {
+        descent->there = descent->here;
+        descent->here = left;
+        if (descent_measure(descent, &descent->here, descent->jacobian)) {
+            descent_set_equations(descent);
+        }
         return false;
     }
     descent_set_equations(descent);
@@ -511,7 +516,9 @@ static bool descent_advance(struct descent *descent)
         return descent_shorten(descent, has_value, promised);
     }
     if (!descent_accept(descent, gain / promised)) {
-        return descent_end(descent, ENGINE_FAILED, "there are no derivatives where the step led");
+        return isfinite(descent->here.cost)
+                   ? descent_shorten(descent, false, promised)
+                   : descent_end(descent, ENGINE_FAILED, "there are no derivatives any more");
     }
     return !has_arrived(descent, gain, moved) ||
            descent_end(descent, ENGINE_CONVERGED, "the cost does not change");

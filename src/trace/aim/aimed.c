@@ -390,8 +390,9 @@ static bool aimed_steer(struct aimed *aimed)
 static bool search_beam(struct aimed *aimed, struct aimed_beam *at, struct arena *arena,
                         struct error *error)
 {
-    struct aim aim;
+    struct aim aim = {.lost_surface = 0};
     if (!aim_open_near(aimed->system, &at->beam, &at->near, arena, &aim, error)) {
+        aimed->lost_surface = aim.lost_surface;
         return false;
     }
     struct pupil_point points[RAYS_BLOCK];
@@ -401,6 +402,9 @@ static bool search_beam(struct aimed *aimed, struct aimed_beam *at, struct arena
     const struct rays rays = rays_new(arena, RAYS_BLOCK);
     const size_t count = (size_t)at->count, reached = aim_rays(&aim, points, count, &rays);
     if (reached < count) {
+        for (size_t i = 0; i < count && aimed->lost_surface == 0; i++) {
+            aimed->lost_surface = ray_block_surface(rays.blocks, i);
+        }
         return fail(error, ERROR_DOMAIN, "%zu of %zu rays cannot be aimed at the stop",
                     count - reached, count);
     }
@@ -432,6 +436,8 @@ static void fill_coordinates(struct aimed *aimed)
 static bool aimed_search(struct aimed *aimed, struct arena *arena, struct error *error)
 {
     for (size_t g = 0; g < aimed->beam_count; g++) {
+        aimed->lost_beam = g;
+        aimed->lost_surface = 0;
         if (!search_beam(aimed, &aimed->beams[g], arena, error)) {
             return false;
         }
@@ -455,6 +461,8 @@ bool aimed_at_stop(struct aimed *aimed, const struct system *system, struct aren
     struct aimed *before = ARENA_NEW(arena, struct aimed);
     *before = *aimed;
     if (!aimed_search(aimed, arena, error)) {
+        before->lost_beam = aimed->lost_beam;
+        before->lost_surface = aimed->lost_surface;
         *aimed = *before;
         return false;
     }

@@ -48,6 +48,8 @@ struct aimed {
     double a[RAYS_BLOCK], b[RAYS_BLOCK]; /* coordinates in the beam, mm */
     double inverse[4][RAYS_BLOCK];       /* d(a, b)/d(x, y in the stop) */
     double by_radius[2][RAYS_BLOCK], by_place[2][RAYS_BLOCK]; /* da, db: of the entrance pupil */
+    /* where aimed_at_stop failed: the surface 1-based, 0 where all are passed */
+    size_t lost_beam, lost_surface;
     /* the caller's: what a function that is swept is by a and b themselves, however rays end; null:
        it is not */
     const double *by_start[2];
