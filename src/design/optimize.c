@@ -468,17 +468,22 @@ static bool optimize_run_any(const struct optimize_task *task, struct arena *are
 
 /* -------- around where rays cannot be aimed -------- */
 
-/* Did that keep it from better lenses? So many of a descent's steps come to nothing by it. */
+/* Did that keep it from a minimum? So many of a descent's steps come to nothing by it. */
 static bool is_hindered(const struct optimize_task *task, const struct optimize_answer *answer,
                         bool found)
 {
     static const double many = 0.08;
     const struct merit *merit = task->merit;
     const double count = (double)merit->limit->count;
-    return !merit->question.from_entrance &&
-           (task->goes_on == NULL || task->goes_on(task->context)) &&
-           (found ? answer->limit.is_of_aim || count > many * (double)answer->summary.evaluations
-                  : count > 0);
+    if (merit->question.from_entrance ||
+        (task->goes_on != NULL && !task->goes_on(task->context))) {
+        return false;
+    }
+    if (!found) {
+        return count > 0;
+    }
+    return answer->limit.is_of_aim || (answer->summary.status == SOLVER_LIMIT &&
+                                       count > many * (double)answer->summary.evaluations);
 }
 
 /* By points of the paraxial entrance pupil, which need no aim, and on from there by the stop. */

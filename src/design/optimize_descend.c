@@ -18,6 +18,9 @@ enum {
 /* Of the merit: steps that promise less, or gain less, are none. */
 static const double worth = 1e-6;
 
+/* Of the merit at the start: what is left is rounding. */
+static const double nothing = 1e-20;
+
 /* Of the damped step of all variables, against the largest effect of one by its scale. */
 static const double damping = 1e-5;
 
@@ -210,6 +213,9 @@ bool optimize_descend(const struct optimize_descent *descent, double *numbers,
             return true;
         }
         descent_end_look(&end, summary);
+        if (end.merit <= nothing * 2 * summary->initial_cost) {
+            return true;
+        }
         if (!descent_end_gains(&end, summary)) {
             *limit = end.limit;
             return true;

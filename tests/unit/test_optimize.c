@@ -92,8 +92,47 @@ static void test_stopped(void)
     arena_free(&arena);
 }
 
+/* A triplet of f/1.4 whose steps lose rays all over the place: along that wall it is no minimum. */
+static void test_wall(void)
+{
+    static const struct merit_case fast = {
+        .name = "fast",
+        .text = "wavelength d F C\nfield angle 0 10 16\naperture epd 35\nfocus table\n"
+                "surface - 6 1.6204/60.3 - c=-0.01017\nsurface - 5 air - c=0.0096\n"
+                "surface - 2 1.62/36.4 - c=-0.05759\nsurface - 2 air - c=0.0139\n"
+                "stop - 4 air -\nsurface - 5 1.6204/60.3 - c=0.01586\n"
+                "surface - 40 air - c=-0.05279\n",
+        .variables = "c1 c2 c3 c4 c6 c7 t7",
+        .goals = "poly, efl = 50"};
+    static const double lengths[] = {1e-2, 1e-3, 1e-4, 1e-5};
+    struct arena arena = {0};
+    struct merit_bench bench, fresh;
+    struct optimize_answer answer;
+    struct error error;
+    CHECK(optimise(&fast, &arena, &bench, &answer, &error));
+    CHECK(answer.after.merit < 2); /* along the wall 15.9 */
+    /* where it says that it has converged no step of a variable gains */
+    const bool is_minimum = answer.summary.status == SOLVER_CONVERGED && !answer.limit.is_known;
+    CHECK(merit_bench_open(&fresh, &fast, &arena, &error));
+    double *residuals = ARENA_ARRAY(&arena, fresh.merit.residual_count, double);
+    for (size_t k = 0; k < 8 * fresh.count && is_minimum; k++) {
+        double at[MERIT_MOST], sum = 0;
+        memcpy(at, answer.after.numbers, fresh.count * sizeof(double));
+        at[k / 8] += (k % 2 == 0 ? 1 : -1) * lengths[k % 8 / 2] * fresh.variables.scale[k / 8];
+        if (!merit_evaluate(&fresh.merit, at, residuals, NULL)) {
+            continue;
+        }
+        for (size_t i = 0; i < fresh.merit.residual_count; i++) {
+            sum += residuals[i] * residuals[i];
+        }
+        CHECK(sum > answer.after.merit * (1 - 1e-5));
+    }
+    arena_free(&arena);
+}
+
 int main(void)
 {
+    test_wall();
     test_plano();
     test_lost();
     test_stopped();

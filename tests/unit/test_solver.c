@@ -210,9 +210,37 @@ static void test_sided_step(void)
     }
 }
 
+/* (x - 3)^2, with derivatives up to 1 only: the best that has them is just there. */
+static bool smooth_up_to_1(void *context, const double *x, double *residuals, double *jacobian)
+{
+    (void)context;
+    residuals[0] = x[0] - 3;
+    if (jacobian != NULL) {
+        jacobian[0] = x[0] <= 1 ? 1 : NAN;
+    }
+    return jacobian == NULL || x[0] <= 1;
+}
+
+static void test_no_derivatives(void)
+{
+    const struct solver_problem problem = {.parameter_count = 1,
+                                           .residual_count = 1,
+                                           .evaluate = smooth_up_to_1,
+                                           .scale = (const double[]){1}};
+    const struct solver_options options = {.engine = SOLVER_DLS};
+    struct arena arena = {0};
+    struct solver_summary summary;
+    struct error error;
+    double x = 0;
+    CHECK(solver_run(&problem, &options, &x, &arena, &summary, &error));
+    CHECK(x > 0.99 && x <= 1 && isfinite(summary.final_cost));
+    arena_free(&arena);
+}
+
 int main(void)
 {
     test_normal();
+    test_no_derivatives();
     test_sided_step();
     test_one_degree();
     test_many_walls();

@@ -420,6 +420,26 @@ static void set_diameters(struct optimize_job *job)
     }
 }
 
+/* A descent that ended while it still gained, and how it goes on. */
+static void warn_of_iterations(struct optimize_job *job)
+{
+    enum { LAST = 10 };
+    static const double least = 1e-5; /* of the merit, an iteration */
+    const struct optimize_answer *answer = &job->answer;
+    if (answer->summary.status != SOLVER_LIMIT || answer->history_count <= LAST + 1) {
+        return;
+    }
+    /* the last one is that of the lens that was found, which an iteration has told before */
+    const double *end = &answer->history[answer->history_count - 2];
+    const double gain = (end[-LAST] - *end) / LAST / *end;
+    if (gain > least) {
+        optimize_warn(job,
+                      "it still gained %.2g %% of the merit an iteration when it was ended: "
+                      "--iterations %ld goes on",
+                      100 * gain, 5 * answer->summary.iterations);
+    }
+}
+
 /* Where it ended though the merit falls beyond. */
 static const char *limit_in_words(const struct optimize_job *job)
 {
@@ -427,7 +447,7 @@ static const char *limit_in_words(const struct optimize_job *job)
     struct arena *arena = job->run->arena;
     const char *position = job->merit.places[limit->place].setup.position;
     return arena_printf(
-        arena, "%s: field %s, %s%s%s",
+        arena, "%s: %s, %s%s%s",
         limit->is_of_aim ? "stopped at a limit of aiming" : "stopped where rays are lost",
         lens_field_words(limit->field, arena),
         limit->surface > 0 ? arena_printf(arena, "surface %zu", limit->surface) : "the stop",
@@ -455,6 +475,10 @@ bool optimize_judge(struct optimize_job *job, struct error *error)
     if (job->answer.begun != NULL) {
         optimize_warn(job, "%s", job->answer.begun);
     }
+    if (job->answer.is_detour) {
+        optimize_warn(job, "rays could not be aimed at the stop on the way: it went on by points of "
+                           "the entrance pupil, and came back");
+    }
     warn_of_elsewhere(job);
     warn_of_fnumber(job);
     warn_of_idle(job);
@@ -463,6 +487,7 @@ bool optimize_judge(struct optimize_job *job, struct error *error)
     warn_of_glasses(job);
     warn_of_missed_contrast(job);
     warn_of_contrast(job);
+    warn_of_iterations(job);
     judge_end(job);
     set_diameters(job);
     if (!warn_of_power(job, error)) {
