@@ -427,8 +427,10 @@ static bool optimize_run_once(struct optimize_progress *running, double *jacobia
         memcpy(before->values, after->values, size);
     }
     optimize_note(running, after->merit);
+    const struct solver_problem problem = optimize_problem(merit);
     const struct optimize_descent descent = {
         .merit = merit,
+        .problem = &problem,
         .options = {.engine = task->engine,
                     .iterations = task->iterations > 0 ? task->iterations : MOST_ITERATIONS,
                     .function = least_gain,
@@ -475,15 +477,12 @@ static bool is_hindered(const struct optimize_task *task, const struct optimize_
     static const double many = 0.08;
     const struct merit *merit = task->merit;
     const double count = (double)merit->limit->count;
-    if (merit->question.from_entrance ||
-        (task->goes_on != NULL && !task->goes_on(task->context))) {
-        return false;
-    }
-    if (!found) {
-        return count > 0;
-    }
-    return answer->limit.is_of_aim || (answer->summary.status == SOLVER_LIMIT &&
-                                       count > many * (double)answer->summary.evaluations);
+    const bool is_kept =
+        found ? answer->limit.is_of_aim || (answer->summary.status == SOLVER_LIMIT &&
+                                            count > many * (double)answer->summary.evaluations)
+              : count > 0;
+    return is_kept && !merit->question.from_entrance &&
+           (task->goes_on == NULL || task->goes_on(task->context));
 }
 
 /* By points of the paraxial entrance pupil, which need no aim, and on from there by the stop. */
@@ -500,8 +499,8 @@ static bool optimize_detour(const struct optimize_task *task, const double *from
     if (!merit_open(&question, arena, way.merit, &ignored)) {
         return false;
     }
-    double *other = ARENA_ARRAY(
-        arena, way.merit->residual_count * way.merit->variable_count + 1, double);
+    double *other =
+        ARENA_ARRAY(arena, way.merit->residual_count * way.merit->variable_count + 1, double);
     if (!optimize_run_any(&way, arena, other, &there, &ignored)) {
         return false;
     }

@@ -27,11 +27,11 @@ struct optimize_state {
 struct optimize_answer {
     struct solver_summary summary;
     struct optimize_state before, after; /* NaN before: the lens has no merit as it is */
-    struct merit_limit limit; /* where it ended though the merit falls beyond; not known: it did not */
-    const char *begun; /* what was done where the lens itself has no merit; null: nothing */
-    bool is_detour;    /* it went by points of the entrance pupil where rays could not be aimed */
-    bool *is_idle;     /* a variable that nothing depends on, neither at the start nor at the end */
-    double *history;   /* the merit at the start and after each iteration */
+    struct merit_limit limit; /* where it ended though the merit falls beyond; or not known */
+    const char *begun;        /* what was done where the lens itself has no merit; null: nothing */
+    bool is_detour;  /* it went by points of the entrance pupil where rays could not be aimed */
+    bool *is_idle;   /* a variable that nothing depends on, neither at the start nor at the end */
+    double *history; /* the merit at the start and after each iteration */
     size_t history_count;
 };
 

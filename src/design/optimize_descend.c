@@ -2,8 +2,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "design/optimize_descend.h"
 
-#include "design/optimize.h"
-
 #include "design/solver/solver_loss.h"
 #include "design/solver/solver_step.h"
 
@@ -59,7 +57,7 @@ static struct descent_end descent_end_open(const struct optimize_descent *descen
     struct arena *arena = descent->arena;
     const size_t n = merit->variable_count;
     struct descent_end end = {.descent = descent,
-                              .problem = optimize_problem(merit),
+                              .problem = *descent->problem,
                               .numbers = numbers,
                               .gradient = ARENA_ARRAY(arena, n, double),
                               .normal = ARENA_ARRAY(arena, n * n, double),

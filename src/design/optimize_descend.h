@@ -8,7 +8,8 @@
 
 struct optimize_descent {
     struct merit *merit;
-    struct solver_options options; /* of solver_run; `iterations` of all descents together */
+    const struct solver_problem *problem; /* of the merit */
+    struct solver_options options;        /* of solver_run; `iterations` of all descents together */
     struct arena *arena;
 };
 

@@ -476,8 +476,8 @@ bool optimize_judge(struct optimize_job *job, struct error *error)
         optimize_warn(job, "%s", job->answer.begun);
     }
     if (job->answer.is_detour) {
-        optimize_warn(job, "rays could not be aimed at the stop on the way: it went on by points of "
-                           "the entrance pupil, and came back");
+        optimize_warn(job, "rays could not be aimed at the stop on the way: it went on by points "
+                           "of the entrance pupil, and came back");
     }
     warn_of_elsewhere(job);
     warn_of_fnumber(job);

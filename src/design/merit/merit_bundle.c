@@ -428,8 +428,7 @@ static void merit_bundle_limit(const struct merit_bundle *bundle, const struct b
                                                    .is_of_aim = is_of_aim,
                                                    .count = bundle->wish.limit->count + is_of_aim,
                                                    .place = bundle->wish.place,
-                                                   .field =
-                                                       &bundle->wish.fields[lane->field].point,
+                                                   .field = &bundle->wish.fields[lane->field].point,
                                                    .surface = surface};
     }
 }

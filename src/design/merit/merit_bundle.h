@@ -41,7 +41,7 @@ struct bundle_wish {
     enum pattern pattern;
     size_t rays;
     uint64_t seed;
-    struct watch *watch; /* as in merit_question */
+    struct watch *watch;       /* as in merit_question */
     struct merit_limit *limit; /* receives where rays are lost; or null */
     size_t place;              /* of its */
 };

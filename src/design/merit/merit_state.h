@@ -116,8 +116,8 @@ struct merit {
                             rays the residual itself */
     struct error why;        /* why the last evaluation gave nothing */
     struct merit_limit *limit; /* the same, of rays */
-    struct dual *change;     /* one figure, by every variable */
-    struct arena *arena;     /* for what is given up before an evaluation ends */
+    struct dual *change;       /* one figure, by every variable */
+    struct arena *arena;       /* for what is given up before an evaluation ends */
     /* internal */
     bool derives; /* derivatives are wanted */
     bool forgets; /* rays are aimed without those of the lens before: slower, but a lens has a
