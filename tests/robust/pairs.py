@@ -151,7 +151,7 @@ VALUES = {
     "vary": "R2", "glass/fit": "../indices.csv", "formula": "cauchy", "name": "OTHER",
     "map/fit": "map.svg", "object/fit": "2m", "field/fit": "0,5,10", "hold": "R1", "goals": "efl=99",
     "grade": "commercial", "tolerances": "../tolerances.txt", "glasses": "SCHOTT",
-    "solver": "ceres", "iterations": "3", "seconds": "100", "global": "2", "keep": "2",
+    "test-plates": "../plates.tsv", "set-diameters": "5", "solver": "ceres", "iterations": "3", "seconds": "100", "global": "2", "keep": "2",
     "escapes": "1", "spread": "0.5", "part": "1/2", "show/optimize": "variables",
     "state": "search.state", "of": "mean", "limit": "20um", "refocus": "none", "adjust": "t1",
     "trials": "5", "show/tolerance": "trials", "drop": "20um", "criterion/tolerance": "efl",
@@ -231,6 +231,7 @@ FILES = {
     "indices.csv": "wavelength_nm,index\n706.5,1.51289\n656.3,1.51432\n589.3,1.51673\n"
                    "546.1,1.51872\n486.1,1.52238\n435.8,1.52668\n404.7,1.53024\n",
     "tolerances.txt": "tolerance t1 0.2mm normal\n",
+    "plates.tsv": "radius_mm\tdiameter_mm\n90\t40\n110\t40\n130\t40\n",
     "tiny.scene": "scene Tiny\ncamera at=0,0,1 look=0,0,0 focus=1\n"
                   "material lamp black emission=1 luminance=1000\nmaterial grey lambert colour=0.5\n"
                   "sphere radius=0.2 at=0.6,0,0.8 material=lamp\n"

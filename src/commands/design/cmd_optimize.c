@@ -13,6 +13,7 @@ static const struct word shows[] = {
     [OPTIMIZE_VARIABLES] = {"variables", "each variable before and after"},
     [OPTIMIZE_SPOTS] = {"spots", "converged spots of each field and wavelength, as spot has them"},
     [OPTIMIZE_GLASSES] = {"glasses", "each glass that took a model's place, and what it lost"},
+    [OPTIMIZE_PLATES] = {"plates", "each radius that became one of a test plate, and its cost"},
     {NULL, NULL},
 };
 
@@ -43,6 +44,10 @@ static const struct option options[] = {
     {OPTION(struct optimize_input, glasses), .name = "glasses", .value = "GLASSES",
      .help = "catalogues and glasses that take the place of the model glasses that vary: "
              "SCHOTT,OHARA or N-BK7,N-SF5"},
+    {OPTION(struct optimize_input, plates), .name = "test-plates", .value = "FILE",
+     .flags = OPTION_FILE,
+     .help = "a maker's list of test plates, columns radius_mm and diameter_mm: their radii take "
+             "the places of those that vary"},
     DESIGN_VIEW_OPTIONS(struct optimize_input, "the positions that are optimised together"),
     {OPTION(struct optimize_input, aim), .name = "aim", .words = analysis_aims, .fallback = "stop",
      .value = "WHERE", .help = "pupil that the ray points lie in"},
@@ -83,7 +88,7 @@ static const struct option options[] = {
     {OPTION(struct optimize_input, part), .name = "part", .value = "I/N", .flags = OPTION_ASIDE,
      .wants = "global", .excludes = "seconds",
      .help = "only part I of N of the starts, into a .part for 'lenscalc merge'"},
-    {OPTION(struct optimize_input, margin), LENS_DIAMETERS_OPTION},
+    {OPTION(struct optimize_input, margin), LENS_DIAMETERS_OPTION, .wants = "output"},
     {OPTION(struct optimize_input, show), .name = "show", .words = shows, .fallback = "answer",
      .value = "WHAT", .help = "which rows"},
 };

@@ -191,12 +191,11 @@ bool optimize_glasses_open(struct optimize_job *job, struct error *error)
 
 /* -------- what they do -------- */
 
-/* The answer to the whole question: of the start, of all trials together, of the last step. */
-static void merge_answer(struct optimize_job *job, const struct glass_choice *choice)
+void optimize_answer_join(struct optimize_job *job, const struct optimize_answer *last,
+                          const size_t *origin, size_t variables)
 {
     struct arena *arena = job->run->arena;
     struct optimize_answer *answer = &job->answer;
-    const struct optimize_answer *last = &choice->answer;
     const struct solver_summary first = answer->summary;
     const size_t count = job->variables.count;
     double *history = ARENA_ARRAY(arena, answer->history_count + last->history_count + 1, double);
@@ -209,9 +208,9 @@ static void merge_answer(struct optimize_job *job, const struct glass_choice *ch
     answer->summary.evaluations = first.evaluations;
     answer->summary.iterations = first.iterations;
     answer->summary.at_bound = ARENA_ARRAY(arena, count, bool);
-    bool *is_idle = ARENA_ARRAY(arena, count, bool); /* what became a glass is not */
-    for (size_t i = 0; i < choice->variables.count; i++) {
-        const size_t at = choice->origin[i];
+    bool *is_idle = ARENA_ARRAY(arena, count, bool); /* what varies no more is not */
+    for (size_t i = 0; i < variables; i++) {
+        const size_t at = origin[i];
         answer->summary.at_bound[at] = last->summary.at_bound[i];
         is_idle[at] = answer->is_idle[at] && last->is_idle[i];
     }
@@ -240,7 +239,7 @@ bool optimize_glasses_choose(struct optimize_job *job, struct error *error)
     }
     job->choice = choice;
     if (choice->count > 0) {
-        merge_answer(job, choice);
+        optimize_answer_join(job, &choice->answer, choice->origin, choice->variables.count);
         job->found = choice->lens;
         job->merit = choice->merit;
     }

@@ -257,7 +257,8 @@ static bool optimize_open(struct optimize_job *job, struct merit_question *quest
     question->errors = &job->errors;
     question->operands = goals.list;
     question->operand_count = goals.count;
-    return merit_open(question, arena, &job->merit, error) && optimize_glasses_open(job, error);
+    return merit_open(question, arena, &job->merit, error) && optimize_glasses_open(job, error) &&
+           optimize_plates_open(job, error);
 }
 
 bool optimize_job_run(struct optimize_job *job, struct error *error)
@@ -282,7 +283,7 @@ bool optimize_job_run(struct optimize_job *job, struct error *error)
         return false;
     }
     job->found = variables_lens(&job->variables, job->answer.after.numbers, arena);
-    if (!optimize_glasses_choose(job, error)) {
+    if (!optimize_glasses_choose(job, error) || !optimize_plates_fit(job, error)) {
         return false;
     }
     job->is_late = !watch_is_ended(job->run->watch) && progress_clock() >= job->until;

@@ -8,6 +8,7 @@
 #include "design/glass_choice.h"
 #include "design/optimize.h"
 #include "design/optimize_global.h"
+#include "design/test_plates.h"
 
 #include <time.h>
 
@@ -17,13 +18,14 @@ enum optimize_show {
     OPTIMIZE_VARIABLES,
     OPTIMIZE_SPOTS,
     OPTIMIZE_GLASSES,
+    OPTIMIZE_PLATES,
     OPTIMIZE_SHOWS
 };
 
 struct optimize_input {
     struct lens_question question;
     struct spectrum_value waves;
-    const char *vary, *hold, *goals, *glasses, *grade, *tolerances;
+    const char *vary, *hold, *goals, *glasses, *plates, *grade, *tolerances;
     int show, solver, aim, pattern;
     long rays, seed, iterations; /* iterations: 0 = as many as it takes */
     long threads;                /* 0: one per core */
@@ -51,6 +53,9 @@ struct optimize_job {
     const struct glass_candidate *glasses; /* of --glasses */
     size_t glass_count;
     const struct glass_choice *choice; /* what they were used for; null: there are none */
+    struct test_plate *plates; /* of --test-plates */
+    size_t plate_count;
+    const struct plate_choice *fitted; /* to them; null: there are none */
     struct optimize_answer answer;
     const struct lens *found;
     const char *status, *warning; /* null: nothing is doubtful */
@@ -160,9 +165,43 @@ bool optimize_glasses_open(struct optimize_job *job, struct error *error);
 /* Replace the model glasses of what was optimised; errors as glass_choose. */
 bool optimize_glasses_choose(struct optimize_job *job, struct error *error);
 
+/*
+ * The answer to the whole question: of the start, and of the last step, which had so many of the
+ * job's variables, `origin` in their list.
+ */
+void optimize_answer_join(struct optimize_job *job, const struct optimize_answer *last,
+                          const size_t *origin, size_t variables);
+
 /* Rows of --show glasses. */
 extern const struct sheet optimize_glass_sheet;
 bool optimize_emit_glasses(struct optimize_job *job, struct error *error);
+
+/* -------- optimize --test-plates: radii end as those of a maker's list -------- */
+
+/*
+ * Read --test-plates, where it is given.
+ *
+ * Errors    ERROR_USAGE: --show plates without it. ERROR_DOMAIN: no radius of a sphere varies.
+ *           ERROR_IO, ERROR_DATA with line and column: what is wrong with the file
+ */
+bool optimize_plates_open(struct optimize_job *job, struct error *error);
+
+/* Replace the radii of what was optimised; errors as plates_fit, and a beam that does not arrive
+   where diameters are not stated. */
+bool optimize_plates_fit(struct optimize_job *job, struct error *error);
+
+/* Radii that were not fitted, and why, in words; null: all were. */
+const char *optimize_plates_left(const struct optimize_job *job);
+
+/* How many were and what that cost, in words; null: nobody asked. */
+const char *optimize_plates_words(const struct optimize_job *job);
+
+/* Is a variable one of the radii that were fitted? */
+bool optimize_plates_hold(const struct optimize_job *job, const struct variable *variable);
+
+/* Rows of --show plates. */
+extern const struct sheet optimize_plate_sheet;
+bool optimize_emit_plates(struct optimize_job *job, struct error *error);
 
 /* How many lenses it keeps at most. */
 size_t optimize_keep_count(const void *input);

@@ -394,6 +394,16 @@ static void judge_end(struct optimize_job *job)
     }
 }
 
+/* Radii that no plate was found for. */
+static void judge_plates(struct optimize_job *job)
+{
+    const char *left = optimize_plates_left(job);
+    if (left != NULL && job->incomplete == NULL) {
+        job->incomplete = left;
+        fail(&job->run->shortfall, ERROR_DOMAIN, "%s", left);
+    }
+}
+
 /* Diameters of the lens that was found, where they are wanted; one that cannot have them is kept as
    it is, but is not what was asked for. */
 static void set_diameters(struct optimize_job *job)
@@ -489,6 +499,7 @@ bool optimize_judge(struct optimize_job *job, struct error *error)
     warn_of_contrast(job);
     warn_of_iterations(job);
     judge_end(job);
+    judge_plates(job);
     set_diameters(job);
     if (!warn_of_power(job, error)) {
         return false;

@@ -13,7 +13,7 @@ struct answer_row {
     struct optimize_about about;
     double merit_before, merit_after;
     long hits, evaluations, iterations, variables, residuals;
-    const char *solver, *status, *goals, *made, *search;
+    const char *solver, *status, *goals, *made, *search, *plates;
 };
 
 static const struct column answer_columns[] = {
@@ -41,6 +41,9 @@ static const struct column answer_columns[] = {
      .help = "of the goal asbuilt, how many independent errors, and where they are from"},
     {COLUMN_NAMED(struct answer_row, search, COLUMN_EXTRA | COLUMN_ASSUMED),
      .depends = "global escapes spread seed", .help = "how many starts there were, and where"},
+    {COLUMN_NAMED(struct answer_row, plates, COLUMN_EXTRA | COLUMN_ASSUMED),
+     .depends = "test-plates lens vary hold",
+     .help = "how many radii became those of test plates, and what that cost of the merit"},
     OPTIMIZE_LENS_COLUMNS(struct answer_row),
 };
 
@@ -63,7 +66,8 @@ static bool optimize_emit_answer(struct optimize_job *job, struct error *error)
                                    .status = job->status,
                                    .goals = job->goals,
                                    .made = job->made,
-                                   .search = job->search};
+                                   .search = job->search,
+                                   .plates = optimize_plates_words(job)};
     run_emit(job->run, &row);
     return true;
 }
@@ -176,7 +180,7 @@ static const struct column variable_columns[] = {
     {COLUMN_NAMED(struct variable_row, high, COLUMN_BRIEF | COLUMN_SPARSE),
      .help = "its upper bound"},
     {COLUMN_NAMED(struct variable_row, note, COLUMN_BRIEF),
-     .help = "at its bound, or that no goal depends on it; absent if neither"},
+     .help = "at its bound, of a test plate, or that no goal depends on it; else absent"},
     OPTIMIZE_LENS_COLUMNS(struct variable_row),
 };
 
@@ -218,6 +222,8 @@ static bool emit_variables(struct optimize_job *job, struct error *error)
         const char *note = NULL;
         if (glass != NULL) {
             note = glass->written.start;
+        } else if (optimize_plates_hold(job, variable)) {
+            note = "of a test plate";
         } else if (answer->is_idle[i]) {
             note = "no goal depends on it";
         } else if (answer->summary.at_bound[i]) {
@@ -321,19 +327,21 @@ static bool emit_spots(struct optimize_job *job, struct error *error)
 }
 
 const struct sheet *const optimize_sheets[] = {
-    [OPTIMIZE_ANSWER] = &answer_sheet,          [OPTIMIZE_MERIT] = &goal_sheet,
-    [OPTIMIZE_VARIABLES] = &variable_sheet,     [OPTIMIZE_SPOTS] = &spot_sheet,
-    [OPTIMIZE_GLASSES] = &optimize_glass_sheet, [OPTIMIZE_SHOWS] = NULL,
+    [OPTIMIZE_ANSWER] = &answer_sheet,
+    [OPTIMIZE_MERIT] = &goal_sheet,
+    [OPTIMIZE_VARIABLES] = &variable_sheet,
+    [OPTIMIZE_SPOTS] = &spot_sheet,
+    [OPTIMIZE_GLASSES] = &optimize_glass_sheet,
+    [OPTIMIZE_PLATES] = &optimize_plate_sheet,
+    [OPTIMIZE_SHOWS] = NULL,
 };
 
 bool optimize_emit(struct optimize_job *job, struct error *error)
 {
-    static bool (*const emits[])(struct optimize_job *,
-                                 struct error *) = {[OPTIMIZE_ANSWER] = optimize_emit_answer,
-                                                    [OPTIMIZE_MERIT] = emit_merit,
-                                                    [OPTIMIZE_VARIABLES] = emit_variables,
-                                                    [OPTIMIZE_SPOTS] = emit_spots,
-                                                    [OPTIMIZE_GLASSES] = optimize_emit_glasses};
+    static bool (*const emits[])(struct optimize_job *, struct error *) = {
+        [OPTIMIZE_ANSWER] = optimize_emit_answer,   [OPTIMIZE_MERIT] = emit_merit,
+        [OPTIMIZE_VARIABLES] = emit_variables,      [OPTIMIZE_SPOTS] = emit_spots,
+        [OPTIMIZE_GLASSES] = optimize_emit_glasses, [OPTIMIZE_PLATES] = optimize_emit_plates};
     bool done = job->search != NULL || emits[job->input->show](job, error);
     for (size_t i = 0; i < job->kept_count && done; i++) {
         done = emits[job->input->show](&job->kept[i], error);

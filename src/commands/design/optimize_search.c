@@ -196,7 +196,7 @@ static size_t list_kept(struct optimize_job *job, const struct global_kept *kept
         one->answer = kept[i].answer;
         one->found = variables_lens(&job->variables, kept[i].answer.after.numbers, job->run->arena);
         one->hits = (long)kept[i].hits;
-        if (job->input->glasses == NULL) {
+        if (job->input->glasses == NULL && job->input->plates == NULL) {
             found++;
             continue;
         }
@@ -205,11 +205,12 @@ static size_t list_kept(struct optimize_job *job, const struct global_kept *kept
                                            .goes_on = optimize_search_goes_on,
                                            .context = one};
         one->until = isinf(until) ? until : now + fmax(until - now, 0) / (double)(count - i);
-        if (!optimize_glasses_choose(one, error)) {
+        if (!optimize_glasses_choose(one, error) || !optimize_plates_fit(one, error)) {
             continue;
         }
         one->is_late = job->is_late || (!watch_is_ended(watch) && progress_clock() >= one->until);
-        job->evaluations += one->choice->evaluations;
+        job->evaluations += one->choice != NULL ? one->choice->evaluations : 0;
+        job->evaluations += one->fitted != NULL ? one->fitted->evaluations : 0;
         const struct optimize_job done = *one;
         size_t at = found++;
         for (; at > 0 && is_better_job(&done, &all[at - 1]); at--) {
@@ -369,8 +370,9 @@ bool optimize_search(struct optimize_job *job, const struct merit_question *ques
     if (!drop_idle(job, *question, error) || !optimize_part_begin(job, error)) {
         return false;
     }
-    /* half of the time is for the glasses */
-    job->until = begun + (input->glasses != NULL ? seconds / 2 : seconds);
+    /* half of the time is for glasses and plates */
+    const bool is_shared = input->glasses != NULL || input->plates != NULL;
+    job->until = begun + (is_shared ? seconds / 2 : seconds);
     global->pause = job->state_path != NULL ? keep_state : NULL;
     const size_t all = job->run->parts != NULL ? global->start_count : global->end - global->begin;
     const size_t done = run_starts(job, all);
