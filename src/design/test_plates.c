@@ -13,7 +13,7 @@ enum {
     MOST_EXCHANGES = 200 /* trials of exchanges */
 };
 
-/* Conditions are met to this, in their deviations; and an exchange gains this share of the merit. */
+/* Conditions are met to this, in their deviations; an exchange gains this share of the merit. */
 static const double exactly = 1e-10, least_gain = 1e-4;
 
 /* A plate on one side of its radius; null: there is none yet. */

@@ -56,6 +56,7 @@ struct optimize_job {
     struct test_plate *plates; /* of --test-plates */
     size_t plate_count;
     const struct plate_choice *fitted; /* to them; null: there are none */
+    const char *unfitted;              /* radii that are not, and why; null: all are */
     struct optimize_answer answer;
     const struct lens *found;
     const char *status, *warning; /* null: nothing is doubtful */
@@ -189,9 +190,6 @@ bool optimize_plates_open(struct optimize_job *job, struct error *error);
 /* Replace the radii of what was optimised; errors as plates_fit, and a beam that does not arrive
    where diameters are not stated. */
 bool optimize_plates_fit(struct optimize_job *job, struct error *error);
-
-/* Radii that were not fitted, and why, in words; null: all were. */
-const char *optimize_plates_left(const struct optimize_job *job);
 
 /* How many were and what that cost, in words; null: nobody asked. */
 const char *optimize_plates_words(const struct optimize_job *job);

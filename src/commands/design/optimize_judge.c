@@ -397,10 +397,9 @@ static void judge_end(struct optimize_job *job)
 /* Radii that no plate was found for. */
 static void judge_plates(struct optimize_job *job)
 {
-    const char *left = optimize_plates_left(job);
-    if (left != NULL && job->incomplete == NULL) {
-        job->incomplete = left;
-        fail(&job->run->shortfall, ERROR_DOMAIN, "%s", left);
+    if (job->unfitted != NULL && job->incomplete == NULL) {
+        job->incomplete = job->unfitted;
+        fail(&job->run->shortfall, ERROR_DOMAIN, "%s", job->unfitted);
     }
 }
 

@@ -150,6 +150,25 @@ static void plates_warn_of_others(struct optimize_job *job)
     }
 }
 
+/* Radii that were not fitted, and why, in words; null: all were. */
+static const char *plates_left(const struct plate_choice *fitted, struct arena *arena)
+{
+    const char *names = NULL;
+    for (size_t i = 0; i < fitted->missing; i++) {
+        names = arena_printf(arena, "%s%sR%zu", names == NULL ? "" : names,
+                             names == NULL ? "" : ", ", fitted->left[i] + 1);
+    }
+    if (names == NULL) {
+        return NULL;
+    }
+    return fitted->is_stopped
+               ? arena_printf(arena, "there was no time to fit %s to a test plate", names)
+               : arena_printf(arena,
+                              "no test plate is as large as the surface, within the bounds, "
+                              "for %s",
+                              names);
+}
+
 bool optimize_plates_fit(struct optimize_job *job, struct error *error)
 {
     struct arena *arena = job->run->arena;
@@ -185,29 +204,9 @@ bool optimize_plates_fit(struct optimize_job *job, struct error *error)
     if (fitted->is_stopped) {
         job->answer.summary.status = SOLVER_STOPPED;
     }
+    job->unfitted = plates_left(fitted, arena);
     plates_warn_of_others(job);
     return true;
-}
-
-/* Radii that are none of the list, in words. */
-const char *optimize_plates_left(const struct optimize_job *job)
-{
-    const struct plate_choice *fitted = job->fitted;
-    struct arena *arena = job->run->arena;
-    const char *names = NULL;
-    for (size_t i = 0; fitted != NULL && i < fitted->missing; i++) {
-        names = arena_printf(arena, "%s%sR%zu", names == NULL ? "" : names,
-                             names == NULL ? "" : ", ", fitted->left[i] + 1);
-    }
-    if (names == NULL) {
-        return NULL;
-    }
-    return fitted->is_stopped
-               ? arena_printf(arena, "there was no time to fit %s to a test plate", names)
-               : arena_printf(arena,
-                              "no test plate is as large as the surface, within the bounds, "
-                              "for %s",
-                              names);
 }
 
 const char *optimize_plates_words(const struct optimize_job *job)
