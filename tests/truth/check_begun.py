@@ -16,6 +16,7 @@ import os
 import re
 import sys
 import tempfile
+import xml.etree.ElementTree
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
@@ -195,6 +196,40 @@ def check_degenerate(program, checks, folder):
         r"(?:^|, )(\d+) as ", said[2])), rows[0]["warning"])
 
 
+def check_page(program, checks, folder):
+    """The page of a design has the figures of the rows, start and end, whole drawings of both, and
+    what binds; HTML and SVG are well formed."""
+    path = os.path.join(folder, "page.lens")
+    with open(path, "w", encoding="utf-8") as file:
+        file.write("lens a & b\nwavelength d F C\nfield angle 0 3\naperture f/8\nfocus table\n"
+                   "surface 60 4 1.6/50 - R~ stop\nsurface -60 50 air - R~ t~[20,47]\n")
+    goals = ("--goals", "poly, efl=50, center > 4, edge > 1")
+    texts = {}
+    for kind in ("html", "svg"):
+        name = os.path.join(folder, f"page.{kind}")
+        result = program.run("optimize", path, *goals, "--report", name)
+        checks.check(result.returncode == 0, f"page: {result.stderr}")
+        with open(name, encoding="utf-8") as file:
+            texts[kind] = file.read()
+    for kind, text in texts.items():
+        tree = xml.etree.ElementTree.fromstring(
+            text.replace('<meta charset="utf-8">', "").split("<!DOCTYPE html>\n")[-1])
+        words = " ".join(tree.itertext())
+        checks.check(tree is not None and "a & b" in words, f"page, {kind}: its title")
+        for row in program.rows("optimize", path, *goals, "--show", "variables"):
+            for end in ("before", "after"):
+                checks.check(f"{float(row[end]):.5g}" in words, f"page, {kind}: {row}")
+        for row in program.rows("optimize", path, *goals, "--show", "merit"):
+            for part in ("value_before", "value_after", "merit_before", "merit_after"):
+                checks.check(f"{float(row[part]):.5g}" in words, f"page, {kind}: {row}")
+        binds = words[words.index("What binds"):]
+        checks.check(re.search(r"t2 +upper bound, 47", binds) and "center > 4 " in binds and
+                     "edge > 1 " not in binds.split("Doubts")[0], f"page, {kind}: {binds[:300]}")
+        for part in ("Cross-section, start", "Cross-section, end", "Spots, start", "Spots, end"):
+            checks.check(part in words, f"page, {kind}: {part}")
+        checks.check(text.count("<svg") >= 4, f"page, {kind}: {text.count('<svg')} drawings")
+
+
 def main():
     """All of it."""
     program, checks = Program(sys.argv[1]), Checks()
@@ -205,6 +240,7 @@ def main():
         check_assumed(program, checks, folder)
         check_degenerate(program, checks, folder)
         check_names(program, checks, folder)
+        check_page(program, checks, folder)
     for kind, (share, where) in sorted(checks.worst.items()):
         print(f"{kind}: at worst {share:.2g} of what is allowed, {where}")
     checks.finish()

@@ -3,6 +3,7 @@
 #include "base/parallel.h"
 #include "cli/question/division.h"
 #include "commands/analysis/analysis_options.h"
+#include "commands/analysis/report_page.h"
 #include "commands/design/optimize_job.h"
 #include "file/lens_file.h"
 #include "trace/aim/sample.h"
@@ -155,6 +156,10 @@ static const struct artifact artifacts[] = {
                 .help = "what the starts led to so far: goes on from it if it is there, and is "
                         "written now and then"},
      .make = optimize_save_state},
+    {ARTIFACT_OPTION("report", page_types,
+                     "a page with the lens before and after side by side: drawings, spots, the "
+                     "variables that moved most, the goals, what binds"),
+     .is_kept = true, .make = optimize_report},
     {ARTIFACT_OPTION("plot", drawing_types,
                      "draw the merit against the iteration, or where the starts ended"),
      .scope = ARTIFACT_OF_SWEEP, .is_kept = true, .make = optimize_plot},

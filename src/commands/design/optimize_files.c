@@ -212,26 +212,31 @@ bool optimize_part_begin(struct optimize_job *job, struct error *error)
     return true;
 }
 
-static void save_lens(const struct optimize_job *done, struct output *sink)
+struct lens optimize_lens_written(const struct optimize_job *done)
 {
     struct arena *arena = done->run->arena;
     const char *goals = done->input->goals;
     struct lens lens = *done->found;
-    struct lens_goal goal = {0};
     design_note_source(&lens, "optimized from", arena);
     if (goals != NULL && lens.goal_count > 0) { /* they take the place of the lens's own */
         char *words = arena_printf(arena, "%s", goals);
         for (char *at = words; *at != '\0'; at++) {
             *at = (char)(*at < ' ' ? ' ' : *at); /* it is one line */
         }
-        goal.text = text_of(words);
-        lens.goals = &goal;
+        lens.goals = ARENA_NEW(arena, struct lens_goal);
+        *lens.goals = (struct lens_goal){.text = text_of(words)};
         lens.goal_count = 1;
         design_note(&lens, "its goals are those that it was optimized for, no longer its own",
                     arena);
     }
     design_note(&lens, done->incomplete, arena);
-    const struct text text = lens_write(&lens, arena);
+    return lens;
+}
+
+static void save_lens(const struct optimize_job *done, struct output *sink)
+{
+    const struct lens lens = optimize_lens_written(done);
+    const struct text text = lens_write(&lens, done->run->arena);
     output_text(sink, text.start, text.length);
 }
 

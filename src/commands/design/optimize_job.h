@@ -121,6 +121,20 @@ bool optimize_open_setup(const struct optimize_job *job, const struct lens *lens
 /* How far a figure is on the wrong side of what is wanted; of '=' how far away. */
 double optimize_wrong_by(const struct operand *operand, double value);
 
+/* A figure of a goal in the unit that it has, of many surfaces the worst, of rays the root of their
+   sum of squares; and its part of the merit. */
+double optimize_value_of(const struct optimize_state *state, const struct merit_slot *slot);
+double optimize_merit_of(const struct optimize_state *state, const struct merit_slot *slot);
+
+/* Is it what keeps rays from loss, that nobody asked for, and has nothing to say? */
+bool optimize_is_quiet(const struct optimize_job *job, const struct merit_slot *slot);
+
+/* The lens that was found, as it is written: with its goals, and notes of what it was. */
+struct lens optimize_lens_written(const struct optimize_job *job);
+
+/* A variable of a lens, mm, 1/mm, rad or 1; of a glass that took a model's place its nd or Vd. */
+double optimize_variable_in(const struct optimize_job *job, const struct lens *lens, size_t which);
+
 /* The rows of --show. */
 extern const struct sheet *const optimize_sheets[];
 bool optimize_emit(struct optimize_job *job, struct error *error);
@@ -133,6 +147,9 @@ bool optimize_check_saved(const struct artifact_job *job, struct error *error);
 
 /* --state, after `run`. */
 bool optimize_save_state(const struct artifact_job *job, struct output *sink, struct error *error);
+
+/* --report: the lens before and after, side by side. */
+bool optimize_report(const struct artifact_job *job, struct output *sink, struct error *error);
 
 /* --plot: the merit against the iteration. */
 bool optimize_plot(const struct artifact_job *job, struct output *sink, struct error *error);

@@ -105,17 +105,16 @@ static const struct column goal_columns[] = {
 
 static const struct sheet goal_sheet = SHEET(goal_columns, struct optimize_goal_row);
 
-static double sum_of_slot_squares(const double *residuals, const struct merit_slot *slot)
+double optimize_merit_of(const struct optimize_state *state, const struct merit_slot *slot)
 {
     double sum = 0;
-    for (size_t i = 0; i < slot->count; i++) {
-        sum += residuals[slot->first + i] * residuals[slot->first + i];
+    for (size_t i = slot->first; i < slot->first + slot->count; i++) {
+        sum += state->residuals[i] * state->residuals[i];
     }
     return sum;
 }
 
-/* A figure, of many the worst, in the unit that the goal has; of rays their root sum square. */
-static double optimize_value_of(const struct optimize_state *state, const struct merit_slot *slot)
+double optimize_value_of(const struct optimize_state *state, const struct merit_slot *slot)
 {
     const struct operand *operand = slot->operand;
     const struct operand_type *type = operand_type(operand->kind);
@@ -126,9 +125,16 @@ static double optimize_value_of(const struct optimize_state *state, const struct
         }
     }
     if ((type->is & OPERAND_OF_RAYS) != 0) {
-        worst = sqrt(sum_of_slot_squares(state->residuals, slot)) * operand->deviation;
+        worst = sqrt(optimize_merit_of(state, slot)) * operand->deviation;
     }
     return unit_from_own(unit_find(type->dimension, text_of(type->unit)), worst);
+}
+
+bool optimize_is_quiet(const struct optimize_job *job, const struct merit_slot *slot)
+{
+    return job->guards && slot->operand->kind == OPERAND_GRAZING &&
+           !(optimize_merit_of(&job->answer.before, slot) > 0) &&
+           !(optimize_merit_of(&job->answer.after, slot) > 0);
 }
 
 static bool emit_merit(struct optimize_job *job, struct error *error)
@@ -138,8 +144,8 @@ static bool emit_merit(struct optimize_job *job, struct error *error)
     const struct optimize_answer *answer = &job->answer;
     for (size_t i = 0; i < merit->slot_count; i++) {
         const struct merit_slot *slot = &merit->slots[i];
-        const double before = sum_of_slot_squares(answer->before.residuals, slot);
-        const double after = sum_of_slot_squares(answer->after.residuals, slot);
+        const double before = optimize_merit_of(&answer->before, slot);
+        const double after = optimize_merit_of(&answer->after, slot);
         const char *unit = operand_type(slot->operand->kind)->unit;
         const bool is_exact = slot->operand->relation == OPERAND_EXACT;
         const struct optimize_goal_row row = {.about = optimize_about_of(job, i == 0),
@@ -151,9 +157,7 @@ static bool emit_merit(struct optimize_job *job, struct error *error)
                                               .share_before = before,
                                               .share_after = after,
                                               .part = is_exact ? NAN : after / answer->after.merit};
-        const bool is_quiet =
-            job->guards && slot->operand->kind == OPERAND_GRAZING && !(before > 0) && !(after > 0);
-        if (!is_quiet && !run_emit(job->run, &row)) {
+        if (!optimize_is_quiet(job, slot) && !run_emit(job->run, &row)) {
             break;
         }
     }
@@ -200,16 +204,16 @@ static const struct medium *exchanged_glass(const struct lens *lens,
     return parameter_is_of_medium(kind) && medium->kind == MEDIUM_GLASS ? medium : NULL;
 }
 
-static double value_in(const struct lens *lens, const struct variable *variable,
-                       struct arena *arena)
+double optimize_variable_in(const struct optimize_job *job, const struct lens *lens, size_t which)
 {
+    const struct variable *variable = &job->variables.list[which];
     const size_t position = variable->position != LENS_NONE ? variable->position : 0;
     const struct medium *glass = exchanged_glass(lens, variable);
     if (glass != NULL) {
         const struct glass_abbe real = glass_abbe(lens_glass_of(glass));
         return variable->what.kind == PARAMETER_INDEX ? real.nd : real.Vd;
     }
-    return parameter_get(lens_at_position(lens, position, arena), variable->what);
+    return parameter_get(lens_at_position(lens, position, job->run->arena), variable->what);
 }
 
 static bool emit_variables(struct optimize_job *job, struct error *error)
@@ -231,8 +235,8 @@ static bool emit_variables(struct optimize_job *job, struct error *error)
         }
         const struct variable_row row = {.about = optimize_about_of(job, i == 0),
                                          .variable = variable->name,
-                                         .before = value_in(job->lens, variable, job->run->arena),
-                                         .after = value_in(job->found, variable, job->run->arena),
+                                         .before = optimize_variable_in(job, job->lens, i),
+                                         .after = optimize_variable_in(job, job->found, i),
                                          .low = bound_or_none(variable->low),
                                          .high = bound_or_none(variable->high),
                                          .note = note};
