@@ -215,6 +215,14 @@ static double reach_at(const struct setup *setup, size_t surface)
     return fmax(fmax(upper, lower), height_at(one, surface, &axis, 1));
 }
 
+/* What a surface adds to the thickness of an edge at r, `sign` times its sag: beyond its own
+   semi-diameter that of its curve or, flat, that of its rim, whichever is less. */
+static double end_of(const struct surface *surface, double own, double r, double sign)
+{
+    const double curve = sign * surface_sag(surface, r);
+    return r > own ? fmin(curve, sign * surface_sag(surface, own)) : curve;
+}
+
 /* The figures of an operand, written out for the lenses of this test: left, right, at the edge? */
 static double shape_of(const struct setup *setup, const struct operand *operand, size_t at)
 {
@@ -237,12 +245,13 @@ static double shape_of(const struct setup *setup, const struct operand *operand,
         }
         const double a = reach_at(setup, i), b = reach_at(setup, (size_t)(right - lens->surfaces));
         const double r = is_air ? fmin(a, b) : fmax(a, b);
-        const double edge = gap + surface_sag(right, r) - surface_sag(left, r);
+        const double edge =
+            direction * gap + end_of(right, b, r, direction) + end_of(left, a, r, -direction);
         if (is_air && found++ == at) {
             return direction * gap;
         }
         if (found++ == at) {
-            return direction * (operand->kind == OPERAND_CENTER ? gap : edge);
+            return operand->kind == OPERAND_CENTER ? direction * gap : edge;
         }
     }
     return NAN;

@@ -8,6 +8,7 @@
 #include "design/merit/merit_shape.h"
 
 #include <math.h>
+#include <string.h>
 
 /* -------- how far out light comes -------- */
 
@@ -174,9 +175,20 @@ static bool merit_shape_is_wanted(enum operand_kind kind, const struct space *sp
                                : !space->is_air && (kind == OPERAND_EDGE) == (place == SPACE_EDGE);
 }
 
-/* -------- the edge -------- */
+/* -------- sags -------- */
 
-/* z = c u/(1 + s), s^2 = 1 - (1+k) c^2 u, u = r^2; and the series. */
+/*
+ * A conic ends where it is parallel to the axis. A surface that lenses on the way to a better one
+ * have there is continued along its tangent from where the cosine of its slope, s below, is this.
+ */
+static const double steepest = 0.05;
+
+/*
+ * z = c u/(1 + s), s^2 = 1 - (1+k) c^2 u, u = r^2; and the series.
+ *
+ * The tangent begins at (1+k) c^2 r^2 = 1 - s^2 and has the slope (1 - s^2)^(1/2)/((1+k)^(1/2) s),
+ * which is the same for all c: so dz/dc stays what it is there
+ */
 struct sag merit_sag_at(const struct surface *surface, double r)
 {
     struct sag sag = {0};
@@ -184,19 +196,23 @@ struct sag merit_sag_at(const struct surface *surface, double r)
         return sag;
     }
     const double c = surface_base_curvature(surface).hi, k1 = 1 + surface->conic.value.hi;
-    const double u = r * r, s = sqrt(1 - k1 * c * c * u), share = u / (1 + s);
+    const double last = 1 - steepest * steepest;
+    const bool is_beyond = k1 * c * c * r * r > last;
+    const double to = is_beyond ? sqrt(last / k1) / fabs(c) : r, u = to * to;
+    const double s = is_beyond ? steepest : sqrt(1 - k1 * c * c * u), share = u / (1 + s);
     sag.value = c * share;
     /* ds/dc = -k1 c u/s, ds/dk = -c^2 u/(2 s), ds/dr = -k1 c^2 r/s */
     sag.by_curvature = share + c * share * k1 * c * u / (s * (1 + s));
     sag.by_conic = c * share * c * c * u / (2 * s * (1 + s));
-    sag.by_radius = c * r / s;
-    for (int term = 0; term < LENS_COEFFICIENTS; term++) {
-        const int order = surface_order(term);
-        const double A = surface->coefficient[term].value.hi;
-        if (A != 0) {
-            sag.value += A * pow(r, order);
-            sag.by_radius += A * order * pow(r, order - 1);
-        }
+    sag.by_radius = c * to / s;
+    if (is_beyond) {
+        sag.value += sag.by_radius * (r - to);
+        sag.by_conic -= sag.by_radius * (r - to) / (2 * k1);
+    }
+    if (r > 0) {
+        const struct departure departure = surface_departure(surface, r * r);
+        sag.value += departure.value;
+        sag.by_radius += 2 * r * departure.slope;
     }
     return sag;
 }
@@ -224,48 +240,212 @@ struct dual merit_reach_of(const struct merit_place *place, size_t surface, size
                             : place->reach[column * place->lens->surface_count + surface];
 }
 
-/* How far out the edge is. */
-static struct dual merit_shape_edge_of(const struct merit_place *place, const struct space *space,
-                                       size_t column)
+/* The surface as far out as which the edge is. */
+static size_t edge_surface(const struct merit_place *place, const struct space *space)
 {
-    const struct dual left = merit_reach_of(place, space->left, column);
-    const struct dual right = merit_reach_of(place, space->right, column);
-    return (left.value < right.value) == space->is_air ? left : right;
+    const double left = merit_reach_of(place, space->left, 0).value;
+    const double right = merit_reach_of(place, space->right, 0).value;
+    return (left < right) == space->is_air ? space->left : space->right;
 }
 
-/* -------- figures -------- */
+/* -------- thicknesses -------- */
+
+/* A place of a surface that a thickness is measured to. */
+struct thickness_end {
+    size_t surface;
+    double sign; /* of its sag in the thickness */
+    double r;
+    size_t rim; /* the surface whose semi-diameter r is; LENS_NONE: of none */
+};
+
+static double thickness_end_sag(const struct lens *lens, const struct thickness_end *end)
+{
+    return end->sign * merit_sag_at(&lens->surfaces[end->surface], end->r).value;
+}
+
+/*
+ * Where a surface ends a thickness so far from the axis. Beyond its own semi-diameter, as where the
+ * other surface of an element is wider, it goes on along its curve or is ground flat, whichever
+ * leaves less.
+ */
+static struct thickness_end thickness_end_at(const struct merit_place *place,
+                                             const struct space *space, bool is_right, double r)
+{
+    const size_t surface = is_right ? space->right : space->left;
+    const double sign = is_right ? space->direction : -space->direction;
+    const struct thickness_end curve = {surface, sign, r, LENS_NONE};
+    if (!(r > 0)) {
+        return curve;
+    }
+    const struct thickness_end rim = {surface, sign, merit_reach_of(place, surface, 0).value,
+                                      surface};
+    const bool is_flat =
+        r > rim.r && thickness_end_sag(place->lens, &rim) < thickness_end_sag(place->lens, &curve);
+    return is_flat ? rim : curve;
+}
+
+static double thickness_at(const struct merit_place *place, const struct space *space, double r)
+{
+    const struct thickness_end left = thickness_end_at(place, space, false, r);
+    const struct thickness_end right = thickness_end_at(place, space, true, r);
+    double value = 0;
+    for (size_t i = space->left; i < space->right; i++) {
+        value += place->lens->surfaces[i].thickness.value.hi;
+    }
+    return space->direction * value + thickness_end_sag(place->lens, &left) +
+           thickness_end_sag(place->lens, &right);
+}
+
+/* How fast it grows outwards. */
+static double thickness_slope(const struct merit_place *place, const struct space *space, double r)
+{
+    double slope = 0;
+    for (int i = 0; i < 2; i++) {
+        const struct thickness_end end = thickness_end_at(place, space, i == 1, r);
+        const struct surface *surface = &place->lens->surfaces[end.surface];
+        slope += end.rim == LENS_NONE ? end.sign * merit_sag_at(surface, r).by_radius : 0;
+    }
+    return slope;
+}
+
+/* Spheres come nearer each other all the way from the axis to the edge, or part all the way. */
+static bool has_middle(const struct lens *lens, const struct space *space)
+{
+    return surface_profile(&lens->surfaces[space->left]) > PROFILE_SPHERE ||
+           surface_profile(&lens->surfaces[space->right]) > PROFILE_SPHERE;
+}
+
+/* How far out it is thinnest, the edge being at r: among points in equal steps, and between those
+   beside the thinnest. */
+static double thinnest_place(const struct merit_place *place, const struct space *space, double r)
+{
+    enum { ZONES = 24, HALVINGS = 32 };
+    double least = INFINITY;
+    int at = ZONES;
+    for (int i = ZONES; i >= 0; i--) {
+        const double here = thickness_at(place, space, r * i / ZONES);
+        at = here < least ? i : at;
+        least = fmin(least, here);
+    }
+    if (at == ZONES && thickness_slope(place, space, r) <= 0) {
+        return r;
+    }
+    if (at == 0 && thickness_slope(place, space, r / (16 * ZONES)) >= 0) {
+        return 0; /* or nearer the axis than anything hangs on */
+    }
+    double low = at > 0 ? r * (at - 1) / ZONES : 0, high = at < ZONES ? r * (at + 1) / ZONES : r;
+    for (int i = 0; i < HALVINGS; i++) {
+        const double middle = (low + high) / 2;
+        if (thickness_slope(place, space, middle) < 0) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    return high;
+}
+
+/* What the thickness somewhere counts in the figure of a place. */
+struct thickness_part {
+    double r, share;
+    size_t rim; /* as of its ends on their curves */
+};
+
+enum { THICKNESS_PARTS = 3 };
+
+/*
+ * The thickness of a place of a space, of parts of which those with a share count.
+ *
+ * Formula   on the axis and at the edge what it is there; for the edge, where it is thinnest
+ *           between them, by d less than on the axis and at the edge, max(least, edge - K d). So it
+ *           is the least, but for a d of next to nothing, through which it is joined without a jump
+ *           to lenses that are thinnest on the axis, a place of its own
+ */
+static void thickness_parts(const struct merit_place *place, const struct space *space,
+                            enum space_place where, struct thickness_part parts[THICKNESS_PARTS])
+{
+    static const double steep = 200; /* K */
+    struct thickness_part *axis = &parts[0], *edge = &parts[1], *middle = &parts[2];
+    *axis = (struct thickness_part){0, where == SPACE_AXIS ? 1 : 0, LENS_NONE};
+    *edge = *middle = (struct thickness_part){0, 0, LENS_NONE};
+    if (where == SPACE_AXIS) {
+        return;
+    }
+    edge->rim = edge_surface(place, space);
+    edge->r = merit_reach_of(place, edge->rim, 0).value;
+    edge->share = 1;
+    if (!has_middle(place->lens, space)) {
+        return;
+    }
+    middle->r = thinnest_place(place, space, edge->r);
+    const double at_edge = thickness_at(place, space, edge->r);
+    const double lower = fmin(thickness_at(place, space, 0), at_edge);
+    const double least = thickness_at(place, space, middle->r);
+    if (!(least < lower)) {
+        return;
+    }
+    if (at_edge - steep * (lower - least) <= least) {
+        edge->share = 0;
+        middle->share = 1;
+    } else { /* the axis is thinner than the edge, as steep > 1 */
+        axis->share = -steep;
+        middle->share = steep;
+    }
+}
+
+/* Add the slopes of an end to merit->change. */
+static void thickness_end_add(struct merit *merit, const struct merit_place *place, double share,
+                              const struct thickness_end *end)
+{
+    const struct sag sag = merit_sag_at(&place->lens->surfaces[end->surface], end->r);
+    const struct merit_light *light = &place->lights[0];
+    for (size_t j = 0; j < merit_columns(merit) && end->rim != LENS_NONE; j++) {
+        const double moved = merit_reach_of(place, end->rim, j).slope;
+        merit->change[j].slope += share * end->sign * moved * sag.by_radius;
+    }
+    for (size_t i = 0; i < light->link_count && merit->derives; i++) {
+        const struct variable_link *link = &light->links[i];
+        if (link->basis.surface == end->surface) {
+            const double slope = merit_sag_slope(&sag, end->r, link->basis);
+            merit->change[link->variable].slope += share * end->sign * slope * link->slope;
+        }
+    }
+}
+
+/* Add a part of a thickness, by all columns, to merit->change. */
+static void thickness_part_add(struct merit *merit, const struct merit_place *place,
+                               const struct space *space, const struct thickness_part *part)
+{
+    const struct merit_light *light = &place->lights[0];
+    const double value = thickness_at(place, space, part->r);
+    for (size_t j = 0; j < merit_columns(merit); j++) {
+        merit->change[j].value += part->share * value;
+    }
+    for (int i = 0; i < 2; i++) {
+        struct thickness_end end = thickness_end_at(place, space, i == 1, part->r);
+        end.rim = end.rim == LENS_NONE ? part->rim : end.rim;
+        thickness_end_add(merit, place, part->share, &end);
+    }
+    for (size_t i = 0; i < light->link_count && merit->derives; i++) {
+        const struct variable_link *link = &light->links[i];
+        if (link->basis.kind == PARAMETER_THICKNESS && link->basis.surface >= space->left &&
+            link->basis.surface < space->right) {
+            merit->change[link->variable].slope += space->direction * part->share * link->slope;
+        }
+    }
+}
 
 /* The thickness in one place, by all columns, into merit->change. */
 static void merit_shape_measure(struct merit *merit, const struct merit_place *place,
                                 const struct space *space, enum space_place where)
 {
-    const struct lens *lens = place->lens;
-    const struct merit_light *light = &place->lights[0];
-    const bool at_edge = where == SPACE_EDGE;
-    const double r = at_edge ? merit_shape_edge_of(place, space, 0).value : 0;
-    const struct sag left = merit_sag_at(&lens->surfaces[space->left], r);
-    const struct sag right = merit_sag_at(&lens->surfaces[space->right], r);
-    double value = right.value - left.value;
-    for (size_t i = space->left; i < space->right; i++) {
-        value += lens->surfaces[i].thickness.value.hi;
-    }
-    for (size_t j = 0; j < merit_columns(merit); j++) {
-        const double along = at_edge ? merit_shape_edge_of(place, space, j).slope : 0;
-        merit->change[j].value = space->direction * value;
-        merit->change[j].slope = space->direction * along * (right.by_radius - left.by_radius);
-    }
-    for (size_t i = 0; i < light->link_count && merit->derives; i++) {
-        const struct variable_link *link = &light->links[i];
-        const size_t surface = link->basis.surface;
-        double slope = 0;
-        if (link->basis.kind == PARAMETER_THICKNESS) {
-            slope = surface >= space->left && surface < space->right ? 1 : 0;
-        } else if (surface == space->right) {
-            slope = at_edge ? merit_sag_slope(&right, r, link->basis) : 0;
-        } else if (surface == space->left) {
-            slope = at_edge ? -merit_sag_slope(&left, r, link->basis) : 0;
+    struct thickness_part parts[THICKNESS_PARTS];
+    thickness_parts(place, space, where, parts);
+    memset(merit->change, 0, merit_columns(merit) * sizeof *merit->change);
+    for (int i = 0; i < THICKNESS_PARTS; i++) {
+        if (parts[i].share != 0) {
+            thickness_part_add(merit, place, space, &parts[i]);
         }
-        merit->change[link->variable].slope += space->direction * slope * link->slope;
     }
 }
 
@@ -319,9 +499,7 @@ bool merit_fill_shape(struct merit *merit, const struct merit_slot *slot, double
             }
             merit_shape_measure(merit, place, &space, (enum space_place)where);
             if (!merit_put(merit, slot, at++, residuals, jacobian)) {
-                return fail(&merit->why, ERROR_DOMAIN,
-                            "surface %zu or %zu does not reach as far out as its edge",
-                            space.left + 1, space.right + 1);
+                return false;
             }
         }
     }
