@@ -58,7 +58,10 @@ struct solver_problem optimize_problem(struct merit *merit);
  * Result    in words what was done, to be said
  * Formula   a merit that has a value is made smaller until the real one has a value too: first of
  *           the goals that there are, then of all with less of the aperture and of the fields, as
- *           much of them as goes, which grows as the lens gets better
+ *           much of them as goes, which grows as the lens gets better, by steps that shrink and
+ *           grow. Where none goes the pupil is vignetted at the edge of the field; then numbers of
+ *           aspheres, which begin as the lens has them and are held, vary too, low orders first.
+ *           Rays are kept farther from loss than `grazing` wants
  * Errors    ERROR_DOMAIN: no goal has a value, nothing helps, or task->goes_on says no before it
  *           does; with the reason
  */

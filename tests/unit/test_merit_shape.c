@@ -1,5 +1,4 @@
-/* tests/unit/test_merit_shape.c - edges and air beyond the radii of surfaces, and aspheres that
-   come nearest each other between axis and edge. */
+/* tests/unit/test_merit_shape.c - edges and air beyond radii, and between axis and edge. */
 /* SPDX-License-Identifier: MIT */
 #include "merit_check.h"
 

@@ -66,6 +66,71 @@ static void test_lost(void)
     arena_free(&arena);
 }
 
+/*
+ * A phone lens of spheres whose coefficients vary, and which rays of 30 deg do not pass: with all
+ * of them free from the beginning what suits narrow fields never lets wider ones through.
+ */
+static void test_aspheres(void)
+{
+    static const struct merit_case phone = {
+        .name = "phone",
+        .text = "wavelength d F C\nfield angle 0 10 18 24 30\naperture epd 1.0714\nfocus table\n"
+                "stop - 0.05 air -\nsurface 1.5 0.6 1.535/56 -\nsurface 6 0.4 air -\n"
+                "surface -2 0.35 1.63/23.9 -\nsurface -6 0.2 air -\nsurface 2 0.6 1.535/56 -\n"
+                "surface 1 0.6 air -\nsurface - 0.4 air -\n",
+        .variables = "R2 R3 R4 R5 R6 R7 t2 t3 t4 t5 t6 t7 k2 k3 k4 k5 k6 k7 A4_2 A4_3 A4_4 A4_5 "
+                     "A4_6 A4_7 A6_2 A6_3 A6_4 A6_5 A6_6 A6_7",
+        .goals = "poly, efl = 3 : 0.01, center > 0.3 : 0.01, edge > 0.2 : 0.01, air > 0.03 : 0.01, "
+                 "length < 4.2 : 0.01, grazing < 85"};
+    struct arena arena = {0};
+    struct error error = {0};
+    struct merit_bench *bench = ARENA_NEW(&arena, struct merit_bench);
+    double residuals[1000];
+    const char *words;
+    CHECK(merit_bench_open(bench, &phone, &arena, &error) && bench->merit.residual_count < 1000);
+    const struct optimize_task task = {.merit = &bench->merit};
+    CHECK(!merit_evaluate(&bench->merit, bench->v, residuals, NULL));
+    CHECK(optimize_begin(&task, bench->v, &arena, &words, &error));
+    CHECK(words != NULL && strstr(words, "aperture and field") != NULL);
+    CHECK(merit_evaluate(&bench->merit, bench->v, residuals, NULL));
+    arena_free(&arena);
+}
+
+/* Without 0.4 of the radius at 8 deg there, and 0.1 at 4 deg, the spots are those of narrower
+   beams; that of the axis stays. */
+static void test_vignetting(void)
+{
+    static const char text[] = "wavelength d\nfield angle 0 4 8\naperture epd %.17g\nfocus table\n"
+                               "surface 50 6 1.6 -\nsurface -80 3 air -\nstop - 70 air -\n";
+    static const struct {
+        const char *goal;
+        double open;
+    } all[] = {{"spot@0deg", 1}, {"spot@4deg", 0.9}, {"spot@8deg", 0.6}};
+    for (size_t i = 0; i < sizeof all / sizeof all[0]; i++) {
+        double sums[2] = {0, 0};
+        for (int way = 0; way < 2; way++) {
+            char lens[400];
+            const struct merit_case of = {"beam", lens, "R1", all[i].goal, 0};
+            struct arena arena = {0};
+            struct error error;
+            struct merit merit;
+            struct merit_bench *bench = ARENA_NEW(&arena, struct merit_bench);
+            double residuals[200];
+            snprintf(lens, sizeof lens, text, way == 0 ? 20 : 20 * all[i].open);
+            CHECK(merit_bench_open(bench, &of, &arena, &error));
+            struct merit_question question = bench->merit.question;
+            question.vignetting = way == 0 ? 0.4 : 0;
+            CHECK(merit_open(&question, &arena, &merit, &error) && merit.residual_count < 200);
+            CHECK(merit_evaluate(&merit, bench->v, residuals, NULL));
+            for (size_t k = 0; k < merit.residual_count; k++) {
+                sums[way] += residuals[k] * residuals[k];
+            }
+            arena_free(&arena);
+        }
+        CHECK_RELATIVE(sums[0], sums[1], 1e-12, all[i].goal);
+    }
+}
+
 /* Told to stop at once it keeps what there is. */
 static bool stops(void *context)
 {
@@ -135,6 +200,8 @@ int main(void)
     test_wall();
     test_plano();
     test_lost();
+    test_aspheres();
+    test_vignetting();
     test_stopped();
     return check_report();
 }

@@ -51,6 +51,7 @@ bool merit_beams_open(struct merit *merit, const struct merit_slot *slot, bool p
     struct bundle_wish wish = {.setup = &merit->places[slot->place].setup,
                                .from_entrance = question->from_entrance,
                                .clip = question->clip,
+                               .vignetting = question->vignetting,
                                .path = path,
                                .pattern = question->pattern,
                                .rays = question->rays,

@@ -84,6 +84,26 @@ static bool find_sample(const struct bundle_wish *wish, size_t field, size_t lig
     return true;
 }
 
+/* Vignetted as the square of the field against those of the lens. */
+static void merit_bundle_vignette(const struct bundle_wish *wish, size_t field,
+                                  const struct sample *sample)
+{
+    const struct setup *setup = wish->setup;
+    const struct field_point *at = &wish->fields[field].point;
+    const double square = at->value[0] * at->value[0] + at->value[1] * at->value[1];
+    double largest = square;
+    for (size_t i = 0; i < setup->field_count; i++) {
+        const double *value = setup->fields[i].point.value;
+        largest = fmax(largest, value[0] * value[0] + value[1] * value[1]);
+    }
+    const bool is_on_axis = at->kind == FIELD_NONE || !(square > 0);
+    const double open = 1 - (is_on_axis ? 0 : wish->vignetting * square / largest);
+    for (size_t i = 0; i < sample->count; i++) {
+        sample->points[i].x *= open;
+        sample->points[i].y *= open;
+    }
+}
+
 static enum merit_symmetry symmetry_of(const struct bundle_wish *wish, size_t field)
 {
     const struct field_point *point = &wish->fields[field].point;
@@ -123,6 +143,7 @@ static bool merit_bundle_open_field(struct merit_bundle *bundle, size_t field, s
             !merit_bundle_goes_on(bundle, sample.count, error)) {
             return false;
         }
+        merit_bundle_vignette(wish, field, &sample);
         merit_points_of(&sample, wish->whole ? SYMMETRY_NONE : group->symmetry, bundle->arena,
                         &group->points);
     }

@@ -50,11 +50,13 @@ merit_prepare merit_prepare_incidence;
  *
  * Formula   on the axis t; at the edge t + sag of the surface behind - sag of that before, along
  *           the light, as far out as the larger of the two semi-diameters of glass, the smaller of
- *           air. A semi-diameter is half the diameter of the surface, or where it has none as
- *           merit_reach finds it. Air goes on through a plane that only is the stop
+ *           air; or between axis and edge, where it is less than on both. A semi-diameter is half
+ *           the diameter of the surface, or where it has none as merit_reach finds it; beyond its
+ *           own a surface goes on along its curve, or flat where that leaves less, as a bevel does.
+ *           A conic goes on along its tangent from near where it ends. Air goes on through a plane
+ *           that only is the stop
  * Source    derived here: the sag of optics/surface.h by its numbers
- * Errors    no such space there; no diameter and no aperture. Of an evaluation: a surface that
- *           does not reach as far out as the edge
+ * Errors    no such space there; no diameter and no aperture
  */
 merit_fill merit_fill_shape;
 merit_prepare merit_prepare_shape;

@@ -12,6 +12,7 @@ bool merit_ray_open(struct merit *merit, const struct merit_slot *slot, struct b
     wish->setup = &merit->places[slot->place].setup;
     wish->from_entrance = wish->setup->first.is_telecentric;
     wish->is_apart = wish->whole = true;
+    wish->vignetting = question->vignetting;
     wish->irregularities = question->irregularities;
     wish->irregularity_count = question->irregularity_count;
     wish->irregularity_amounts = question->irregularity_amounts;

@@ -50,6 +50,7 @@ struct merit_question {
     enum lens_section section; /* of paraxial figures */
     double fnumber;            /* NaN: the lens's own aperture */
     bool from_entrance, clip;
+    double vignetting; /* of the radius of the pupil, at the edge of the field; less within */
     bool is_skew; /* something else than the variables may decentre or tilt surfaces */
     enum pattern pattern;
     size_t rays;
