@@ -284,15 +284,21 @@ static struct thickness_end thickness_end_at(const struct merit_place *place,
     return is_flat ? rim : curve;
 }
 
+/* On the axis. */
+static double space_length(const struct lens *lens, const struct space *space)
+{
+    double length = 0;
+    for (size_t i = space->left; i < space->right; i++) {
+        length += lens->surfaces[i].thickness.value.hi;
+    }
+    return space->direction * length;
+}
+
 static double thickness_at(const struct merit_place *place, const struct space *space, double r)
 {
     const struct thickness_end left = thickness_end_at(place, space, false, r);
     const struct thickness_end right = thickness_end_at(place, space, true, r);
-    double value = 0;
-    for (size_t i = space->left; i < space->right; i++) {
-        value += place->lens->surfaces[i].thickness.value.hi;
-    }
-    return space->direction * value + thickness_end_sag(place->lens, &left) +
+    return space_length(place->lens, space) + thickness_end_sag(place->lens, &left) +
            thickness_end_sag(place->lens, &right);
 }
 
@@ -393,21 +399,22 @@ static void thickness_parts(const struct merit_place *place, const struct space 
     }
 }
 
-/* Add the slopes of an end to merit->change. */
+/* Add a share of the sag of an end, by all columns, to merit->change. */
 static void thickness_end_add(struct merit *merit, const struct merit_place *place, double share,
                               const struct thickness_end *end)
 {
     const struct sag sag = merit_sag_at(&place->lens->surfaces[end->surface], end->r);
     const struct merit_light *light = &place->lights[0];
-    for (size_t j = 0; j < merit_columns(merit) && end->rim != LENS_NONE; j++) {
-        const double moved = merit_reach_of(place, end->rim, j).slope;
-        merit->change[j].slope += share * end->sign * moved * sag.by_radius;
+    for (size_t j = 0; j < merit_columns(merit); j++) {
+        const double moved = end->rim != LENS_NONE ? merit_reach_of(place, end->rim, j).slope : 0;
+        merit->change[j].value += share * sag.value;
+        merit->change[j].slope += share * moved * sag.by_radius;
     }
     for (size_t i = 0; i < light->link_count && merit->derives; i++) {
         const struct variable_link *link = &light->links[i];
         if (link->basis.surface == end->surface) {
             const double slope = merit_sag_slope(&sag, end->r, link->basis);
-            merit->change[link->variable].slope += share * end->sign * slope * link->slope;
+            merit->change[link->variable].slope += share * slope * link->slope;
         }
     }
 }
@@ -417,14 +424,14 @@ static void thickness_part_add(struct merit *merit, const struct merit_place *pl
                                const struct space *space, const struct thickness_part *part)
 {
     const struct merit_light *light = &place->lights[0];
-    const double value = thickness_at(place, space, part->r);
+    const double length = space_length(place->lens, space);
     for (size_t j = 0; j < merit_columns(merit); j++) {
-        merit->change[j].value += part->share * value;
+        merit->change[j].value += part->share * length;
     }
-    for (int i = 0; i < 2; i++) {
+    for (int i = 0; i < 2 && part->r > 0; i++) {
         struct thickness_end end = thickness_end_at(place, space, i == 1, part->r);
         end.rim = end.rim == LENS_NONE ? part->rim : end.rim;
-        thickness_end_add(merit, place, part->share, &end);
+        thickness_end_add(merit, place, part->share * end.sign, &end);
     }
     for (size_t i = 0; i < light->link_count && merit->derives; i++) {
         const struct variable_link *link = &light->links[i];
