@@ -36,7 +36,8 @@ struct easing_share {
 struct easing {
     const struct optimize_task *task;
     struct arena *arena;
-    double *numbers; /* where it is */
+    double *numbers;   /* where it is */
+    struct arena room; /* of that merit: emptied for the next */
     struct merit merit;
     struct easing_share share;   /* of that merit; 0: none with all goals has had a value */
     double step;                 /* of the shares: grows and shrinks */
@@ -71,8 +72,9 @@ static bool easing_open(struct easing *easing, const struct easing_share *share,
     const struct merit *merit = easing->task->merit;
     const struct setup *setup = &merit->places[0].setup;
     struct merit_question question = merit->question;
+    arena_reset(&easing->room, (struct arena_mark){NULL, 0});
     struct setup_field *fields =
-        ARENA_ARRAY(easing->arena, setup->field_count + 1, struct setup_field);
+        ARENA_ARRAY(&easing->room, setup->field_count + 1, struct setup_field);
     for (size_t i = 0; i < setup->field_count; i++) {
         fields[i] = setup->fields[i];
         fields[i].point.value[0] *= share->of[PART_FIELD];
@@ -80,10 +82,10 @@ static bool easing_open(struct easing *easing, const struct easing_share *share,
     }
     question.fields = fields;
     question.field_count = setup->field_count;
-    question.operands = easing_operands(operands, count, easing->arena);
+    question.operands = easing_operands(operands, count, &easing->room);
     question.operand_count = count;
     question.vignetting = 1 - share->of[PART_PUPIL_AT_EDGE];
-    if (!merit_open(&question, easing->arena, &easing->merit, error)) {
+    if (!merit_open(&question, &easing->room, &easing->merit, error)) {
         return false;
     }
     easing->has_wanted_beam = merit_aperture_of_wanted(&easing->merit);
@@ -98,7 +100,7 @@ static bool easing_open(struct easing *easing, const struct easing_share *share,
 
 static bool easing_has_value(struct easing *easing)
 {
-    double *residuals = ARENA_ARRAY(easing->arena, easing->merit.residual_count + 1, double);
+    double *residuals = ARENA_ARRAY(&easing->room, easing->merit.residual_count + 1, double);
     return merit_evaluate(&easing->merit, easing->numbers, residuals, NULL);
 }
 
@@ -302,12 +304,12 @@ static bool easing_descend(struct easing *easing, struct error *error)
                                            .progress = easing_goes_on,
                                            .progress_context = easing};
     struct solver_problem problem = optimize_problem(merit);
-    double *numbers = ARENA_ARRAY(easing->arena, merit->variable_count + 1, double);
+    double *numbers = ARENA_ARRAY(&easing->room, merit->variable_count + 1, double);
     struct solver_summary summary;
     problem.evaluate = easing_measure;
     problem.context = easing;
     memcpy(numbers, easing->numbers, merit->variable_count * sizeof(double));
-    if (!solver_run(&problem, &options, numbers, easing->arena, &summary, error)) {
+    if (!solver_run(&problem, &options, numbers, &easing->room, &summary, error)) {
         return false;
     }
     if (!easing->is_done) {
@@ -407,6 +409,24 @@ static bool fail_easing(const struct easing *easing, const struct error *why, st
                                "with less aperture and field: ");
 }
 
+/* From stage to stage, until the real merit has a value. */
+static bool easing_run(struct easing *easing, const struct error *why, const char **words,
+                       struct error *error)
+{
+    if (!easing_begin(easing, why, error)) {
+        return false;
+    }
+    *words = easing_words(easing);
+    bool goes_on = true;
+    for (int stage = 0; stage < STAGES && goes_on; stage++) {
+        if (!easing_descend(easing, error)) {
+            return false;
+        }
+        goes_on = !easing->is_done && !easing->is_stopped && easing_go_on(easing);
+    }
+    return easing->is_done || fail_easing(easing, why, error);
+}
+
 bool optimize_begin(const struct optimize_task *task, double *numbers, struct arena *arena,
                     const char **words, struct error *error)
 {
@@ -429,16 +449,7 @@ bool optimize_begin(const struct optimize_task *task, double *numbers, struct ar
         return true;
     }
     easing_hold(&easing);
-    if (!easing_begin(&easing, &why, error)) {
-        return false;
-    }
-    *words = easing_words(&easing);
-    bool goes_on = true;
-    for (int stage = 0; stage < STAGES && goes_on; stage++) {
-        if (!easing_descend(&easing, error)) {
-            return false;
-        }
-        goes_on = !easing.is_done && !easing.is_stopped && easing_go_on(&easing);
-    }
-    return easing.is_done || fail_easing(&easing, &why, error);
+    const bool done = easing_run(&easing, &why, words, error);
+    arena_free(&easing.room);
+    return done;
 }
