@@ -51,14 +51,15 @@ struct easing {
 
 /* -------- a merit of less -------- */
 
-/* The same goals, with rays kept as far from loss as a step more of the lens needs it. */
+/* The same goals, with rays kept as far from loss as a step more of the lens needs it, unless they
+   are not to be kept at all. */
 static struct operand *easing_operands(const struct operand *operands, size_t count,
                                        struct arena *arena)
 {
     struct operand *list = ARENA_ARRAY(arena, count, struct operand);
     for (size_t i = 0; i < count; i++) {
         list[i] = operands[i];
-        if (list[i].kind == OPERAND_GRAZING) {
+        if (list[i].kind == OPERAND_GRAZING && list[i].target < 90 * RADIANS_PER_DEGREE) {
             list[i].target = fmin(list[i].target, most_grazing);
         }
     }
