@@ -44,6 +44,7 @@ enum random_purpose {
     RANDOM_TOLERANCES, /* tolerance_errors */
     RANDOM_PATHS,      /* points_next */
     RANDOM_CELLS,      /* tile_order */
+    RANDOM_LAYOUTS,    /* predesign_find */
 };
 
 /* Numbers `which` of a purpose, for one sample of a run. */

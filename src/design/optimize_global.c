@@ -59,25 +59,29 @@ static bool open_fresh(const struct merit *like, struct arena *arena, struct fre
 
 struct global_run {
     struct optimize_global *global;
-    struct global_range range;
-    size_t first; /* of the starts of this round */
+    struct global_range *ranges; /* of each layout */
+    size_t first;                /* of the starts of this round */
 };
 
 static struct global_run global_run_of(struct optimize_global *global, struct arena *arena)
 {
-    const struct variables *variables = global->merit->question.variables;
-    return (struct global_run){.global = global,
-                               .range = optimize_global_range(variables, global->spread, arena),
-                               .first = global->begin};
+    struct global_run searching = {.global = global, .first = global->begin};
+    searching.ranges = ARENA_ARRAY(arena, global->layouts, struct global_range);
+    for (size_t i = 0; i < global->layouts; i++) {
+        const struct variables *variables = global->merits[i]->question.variables;
+        searching.ranges[i] = optimize_global_range(variables, global->spread, arena);
+    }
+    return searching;
 }
 
-static struct global_search search_of(const struct global_run *searching,
+static struct global_search search_of(const struct global_run *searching, size_t start,
                                       const struct solver_problem *problem)
 {
     const struct optimize_global *global = searching->global;
+    const struct global_range *range = &searching->ranges[start % global->layouts];
     return (struct global_search){.problem = problem,
-                                  .low = searching->range.low,
-                                  .high = searching->range.high,
+                                  .low = range->low,
+                                  .high = range->high,
                                   .seed = global->seed,
                                   .escapes = global->escapes,
                                   .iterations = global->iterations,
@@ -94,7 +98,12 @@ static bool begin_at(const struct global_run *searching, const struct global_sea
                                        .context = searching->global->context};
     const char *ignored;
     struct error why;
-    if (start == 0) {
+    const struct optimize_global *global = searching->global;
+    if (global->place != NULL) {
+        if (!global->place(global->context, start, merit->arena, numbers)) {
+            return false;
+        }
+    } else if (start == 0) {
         variables_get(merit->question.variables, numbers);
     } else {
         global_start(search, (uint32_t)(start - 1), numbers);
@@ -105,7 +114,8 @@ static bool begin_at(const struct global_run *searching, const struct global_sea
 bool optimize_global_idle(struct optimize_global *global, struct arena *arena, bool *is_idle)
 {
     const struct global_run searching = global_run_of(global, arena);
-    const size_t n = global->merit->variable_count, m = global->merit->residual_count;
+    const struct merit *merit = global->merits[0];
+    const size_t n = merit->variable_count, m = merit->residual_count;
     double *numbers = ARENA_ARRAY(arena, n + 1, double);
     double *residuals = ARENA_ARRAY(arena, m + 1, double);
     double *jacobian = ARENA_ARRAY(arena, m * n + 1, double);
@@ -116,11 +126,11 @@ bool optimize_global_idle(struct optimize_global *global, struct arena *arena, b
     for (size_t start = 0; start < STARTS_LOOKED_AT && start < global->start_count; start++) {
         struct fresh fresh;
         struct error ignored;
-        if (!open_fresh(global->merit, arena, &fresh, &ignored)) {
+        if (!open_fresh(merit, arena, &fresh, &ignored)) {
             continue;
         }
         const struct solver_problem problem = optimize_problem(&fresh.merit);
-        const struct global_search search = search_of(&searching, &problem);
+        const struct global_search search = search_of(&searching, start, &problem);
         if (begin_at(&searching, &search, start, &fresh.merit, numbers) &&
             merit_measure(&fresh.merit, numbers, residuals, jacobian)) {
             merit_drop_met(&fresh.merit, residuals, NULL);
@@ -192,12 +202,12 @@ static bool global_search_start(struct global_run *searching, size_t start, stru
     struct fresh fresh;
     struct error why;
     *result = (struct global_result){.is_done = true};
-    if (!open_fresh(global->merit, own, &fresh, &why)) {
+    if (!open_fresh(optimize_global_merit(global, start), own, &fresh, &why)) {
         result->lost = global_lost_words(why.message, arena);
         return true;
     }
     const struct solver_problem problem = optimize_problem(&fresh.merit);
-    const struct global_search search = search_of(searching, &problem);
+    const struct global_search search = search_of(searching, start, &problem);
     double *numbers = ARENA_ARRAY(own, fresh.variables.count + 1, double);
     /* where rays are just lost, some are found only from a lens that still has them */
     for (int attempt = 0; attempt < 2 && chain.count == 0 && !chain.is_stopped; attempt++) {
@@ -326,13 +336,31 @@ static int compare_kept(const void *one, const void *other)
                                  &(struct candidate){&second, b->start});
 }
 
+/* In natural scales of the layout of a start. */
+static struct solver_problem problem_of_start(const struct optimize_global *global, size_t start)
+{
+    const struct merit *merit = optimize_global_merit(global, start);
+    return (struct solver_problem){.parameter_count = merit->variable_count,
+                                   .scale = merit->question.variables->scale};
+}
+
+/* Do two starts' numbers mean one lens? */
+static bool global_is_one(const struct optimize_global *global, size_t start, const double *numbers,
+                          size_t other, const double *others)
+{
+    const struct solver_problem problem = problem_of_start(global, start);
+    return start % global->layouts == other % global->layouts &&
+           global_is_same(&problem, numbers, others);
+}
+
 /* Does a lens that is there already lie there? */
-static bool kept_is_known(const struct solver_problem *problem, const struct global_kept *kept,
-                          size_t count, const double *numbers)
+static bool kept_is_known(const struct optimize_global *global, const struct global_kept *kept,
+                          size_t count, size_t start, const double *numbers)
 {
     bool found = false;
     for (size_t i = 0; i < count; i++) {
-        found = found || global_is_same(problem, kept[i].answer.after.numbers, numbers);
+        found = found ||
+                global_is_one(global, kept[i].start, kept[i].answer.after.numbers, start, numbers);
     }
     return found;
 }
@@ -340,7 +368,6 @@ static bool kept_is_known(const struct solver_problem *problem, const struct glo
 size_t optimize_global_keep(struct optimize_global *global, const struct optimize_task *task,
                             size_t most, struct arena *arena, struct global_kept *kept)
 {
-    const struct solver_problem problem = optimize_problem(task->merit);
     size_t candidates = 0, count = 0, tried = 0;
     for (size_t k = 0; k < global->start_count; k++) {
         candidates += global->results[k].count;
@@ -362,7 +389,7 @@ size_t optimize_global_keep(struct optimize_global *global, const struct optimiz
             break; /* who interrupts gets the best, and does not wait for others */
         }
         fine.start = list[i].minimum->parameters;
-        if (kept_is_known(&problem, kept, count, fine.start)) {
+        if (kept_is_known(global, kept, count, list[i].start, fine.start)) {
             continue;
         }
         tried++;
@@ -371,9 +398,9 @@ size_t optimize_global_keep(struct optimize_global *global, const struct optimiz
         fine.merit = &fresh->merit;
         one->begun = fine.start;
         one->start = list[i].start;
-        if (!open_fresh(task->merit, arena, fresh, &ignored) ||
+        if (!open_fresh(optimize_global_merit(global, one->start), arena, fresh, &ignored) ||
             !optimize_run(&fine, arena, &one->answer, &ignored) ||
-            kept_is_known(&problem, kept, count, one->answer.after.numbers)) {
+            kept_is_known(global, kept, count, one->start, one->answer.after.numbers)) {
             continue;
         }
         const struct lens *lens =
@@ -389,8 +416,9 @@ size_t optimize_global_keep(struct optimize_global *global, const struct optimiz
             bool hit = false;
             for (size_t m = 0; m < global->results[k].count; m++) {
                 const double *found = global->results[k].minima[m].parameters;
-                hit = hit || global_is_same(&problem, found, kept[i].answer.after.numbers) ||
-                      global_is_same(&problem, found, kept[i].begun);
+                const struct global_kept *one = &kept[i];
+                hit = hit || global_is_one(global, k, found, one->start, one->begun) ||
+                      global_is_one(global, k, found, one->start, one->answer.after.numbers);
             }
             kept[i].hits += hit;
         }

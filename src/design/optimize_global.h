@@ -20,9 +20,13 @@ struct global_result {
 
 /* What is searched; the results are the same whatever the number of threads is. */
 struct optimize_global {
-    const struct merit *merit; /* for its question, which each start asks anew: no rays of one are
-                                  seen by another */
-    int iterations;            /* of a descent at most; 0: as solver_run has it */
+    /* For their questions, which each start asks anew: no rays of one are seen by another. Of
+       several layouts, with as many variables each, start k has that of layout k % layouts. */
+    const struct merit *const *merits;
+    size_t layouts;
+    /* Numbers of a start; false: it has none. Null: the lens itself, then global_start. */
+    bool (*place)(void *context, size_t start, struct arena *arena, double *numbers);
+    int iterations; /* of a descent at most; 0: as solver_run has it */
     int escapes;
     uint64_t seed;
     double
@@ -55,6 +59,13 @@ struct global_range {
 struct global_range optimize_global_range(const struct variables *variables, double spread,
                                           struct arena *arena);
 
+/* The merit of a start. */
+static inline const struct merit *optimize_global_merit(const struct optimize_global *global,
+                                                        size_t start)
+{
+    return global->merits[start % global->layouts];
+}
+
 /*
  * Variables that nothing depends on: neither in the lens nor in the first starts.
  *
@@ -86,7 +97,7 @@ struct global_kept {
 /*
  * The best that are different, the best first, each brought to its minimum.
  *
- * Given     task  of them; its merit lends its question alone
+ * Given     task  of them, without a merit
  *           kept  room for `most`; receives them
  * Result    how many there are; once the watch has ended no more than one
  */

@@ -26,6 +26,12 @@ static const struct word solvers[] = {
 
 static const struct option options[] = {
     LENS_OPTION(struct optimize_input, question),
+    {OPTION(struct optimize_input, start), .name = "start", .value = "WORDS",
+     .excludes = "lens vary hold field aperture position",
+     .why = "a lens from nothing is described by its own words",
+     .help = "a lens from nothing: elements=5,efl=50mm,fnumber=2,field=22deg; or image=40mm, the "
+             "diameter of the image circle; also object=1m, stop=2 (behind so many elements), "
+             "bfl=20mm at least, track=60mm at most"},
     {OPTION(struct optimize_input, vary), .name = "vary", .value = "PARTS",
      .help = "variables: R1,c2[-0.04,0.04],t3[2,10],k4,A4_4,glass6 (radius, curvature, thickness, "
              "conic, coefficient, glass, each with bounds), R1..R11, all-R, all-t; otherwise the "
@@ -54,7 +60,7 @@ static const struct option options[] = {
      .value = "WHERE", .help = "pupil that the ray points lie in"},
     DESIGN_RAYS_OPTIONS(struct optimize_input, "36"),
     {OPTION(struct optimize_input, seed), .name = "seed", .lowest = 0, .highest = 1e9,
-     .fallback = "0", .value = "NUMBER", .wants = "global|pattern=sobol",
+     .fallback = "0", .value = "NUMBER", .wants = "global|start|pattern=sobol",
      .help = "seed of the starts of --global and of the sobol pattern"},
     {OPTION(struct optimize_input, clip), .name = "clip", .excludes = "no-clip",
      .help = "clip rays at apertures and stop"},
@@ -70,24 +76,25 @@ static const struct option options[] = {
      .help = "the best of so long, which depends on the machine"},
     {OPTION(struct optimize_input, threads), .name = "threads", .lowest = 0,
      .highest = PARALLEL_MOST, .value = "N", .fallback = "1", .flags = OPTION_ASIDE,
-     .wants = "glasses|global",
+     .wants = "glasses|global|start",
      .help = "threads that try glasses, or search from starts; 0 = one per core"},
     {OPTION(struct optimize_input, global), .name = "global", .lowest = 1, .highest = 1e6,
      .value = "COUNT",
      .help = "search from so many starts between the bounds of what varies: the lens itself, and "
              "others all over"},
     {OPTION(struct optimize_input, keep), .name = "keep", .lowest = 1, .highest = 1000,
-     .fallback = "1", .value = "COUNT", .wants = "global",
-     .help = "the best different lenses that are kept: NEW-1.lens, NEW-2.lens, ..."},
+     .value = "COUNT", .wants = "global|start",
+     .help = "the best different lenses that are kept: NEW-1.lens, NEW-2.lens, ...; default 1, "
+             "with --start 10"},
     {OPTION(struct optimize_input, escapes), .name = "escapes", .lowest = 0, .highest = 1000,
-     .fallback = "2", .value = "COUNT", .wants = "global",
+     .fallback = "2", .value = "COUNT", .wants = "global|start",
      .help = "escapes from each minimum that are tried per start"},
     {OPTION(struct optimize_input, spread), .name = "spread", .dimension = &dimension_number,
      .lowest = 0, .highest = 1000, .fallback = "1", .flags = OPTION_ABOVE_LOWEST, .value = "NUMBER",
-     .wants = "global",
+     .wants = "global|start",
      .help = "where starts lie of what has no two bounds: so many natural scales about the lens"},
     {OPTION(struct optimize_input, part), .name = "part", .value = "I/N", .flags = OPTION_ASIDE,
-     .wants = "global", .excludes = "seconds",
+     .wants = "global|start", .excludes = "seconds",
      .help = "only part I of N of the starts, into a .part for 'lenscalc merge'"},
     {OPTION(struct optimize_input, margin), LENS_DIAMETERS_OPTION, .wants = "output"},
     {OPTION(struct optimize_input, show), .name = "show", .words = shows, .fallback = "answer",
@@ -152,7 +159,7 @@ static const struct artifact artifacts[] = {
                 .name = "state",
                 .value = "FILE",
                 .flags = OPTION_FILE,
-                .wants = "global",
+                .wants = "global|start",
                 .help = "what the starts led to so far: goes on from it if it is there, and is "
                         "written now and then"},
      .make = optimize_save_state},

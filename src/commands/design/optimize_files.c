@@ -50,7 +50,7 @@ static void write_starts(const struct optimize_job *job, struct part_head *head,
         for (size_t i = 0; i < result->count; i++) {
             body_put_double(&body, result->minima[i].cost);
             body_put_double(&body, result->minima[i].excess);
-            for (size_t j = 0; j < global->merit->variable_count; j++) {
+            for (size_t j = 0; j < global->merits[0]->variable_count; j++) {
                 body_put_double(&body, result->minima[i].parameters[j]);
             }
         }
@@ -96,7 +96,7 @@ static double body_take_double(struct text *rest)
 static bool take_result(const struct optimize_global *global, struct arena *arena,
                         struct text *rest, struct global_result *result)
 {
-    const size_t numbers = global->merit->variable_count;
+    const size_t numbers = global->merits[0]->variable_count;
     if (rest->length < COUNT_BYTES + LONG_BYTES) {
         return false;
     }

@@ -184,7 +184,7 @@ static bool open_variables(struct optimize_job *job, struct error *error)
         const struct lens *lens = lens_at_position(job->lens, position, arena);
         const bool is_bounded = !isinf(one->low) || !isinf(one->high);
         if (one->what.kind == PARAMETER_THICKNESS && at < lens->surface_count && !is_bounded &&
-            (job->input->global > 0 || lens->surfaces[at].kind == SURFACE_STOP ||
+            (optimize_start_count(job->input) > 0 || lens->surfaces[at].kind == SURFACE_STOP ||
              (at + 1 < lens->surface_count && lens->surfaces[at + 1].kind == SURFACE_STOP))) {
             if (parameter_get(lens, one->what) >= 0) {
                 one->low = 0;
@@ -261,11 +261,34 @@ static bool optimize_open(struct optimize_job *job, struct merit_question *quest
            optimize_plates_open(job, error);
 }
 
+/* The layouts of --start, of which the first speaks for all. */
+static bool optimize_open_layouts(struct optimize_job *job, struct merit_question *question,
+                                  struct error *error)
+{
+    if (!optimize_start_open(job, error)) {
+        return false;
+    }
+    for (size_t i = job->layout_count; i-- > 0;) {
+        if (!optimize_open(&job->layouts[i], question, error)) {
+            return false;
+        }
+    }
+    struct optimize_job first = job->layouts[0];
+    first.layouts = job->layouts;
+    first.layout_count = job->layout_count;
+    *job = first;
+    return true;
+}
+
 bool optimize_job_run(struct optimize_job *job, struct error *error)
 {
     const struct optimize_input *input = job->input;
     struct arena *arena = job->run->arena;
     struct merit_question question;
+    if (input->start != NULL) {
+        return optimize_open_layouts(job, &question, error) &&
+               optimize_search(job, &question, error);
+    }
     if (!optimize_open(job, &question, error)) {
         return false;
     }

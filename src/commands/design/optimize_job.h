@@ -26,6 +26,7 @@ struct optimize_input {
     struct lens_question question;
     struct spectrum_value waves;
     const char *vary, *hold, *goals, *glasses, *plates, *grade, *tolerances;
+    const char *start; /* words of a lens from nothing; null: from the lens */
     int show, solver, aim, pattern;
     long rays, seed, iterations; /* iterations: 0 = as many as it takes */
     long threads;                /* 0: one per core */
@@ -66,6 +67,9 @@ struct optimize_job {
     /* of --global */
     const char *search; /* in words; null: there is none */
     struct optimize_global *global;
+    const struct optimize_start *start; /* of --start; null: the lens is given */
+    struct optimize_job *layouts;       /* of it, each with a lens of its own */
+    size_t layout_count;
     struct part_head part, state; /* of --part, and of --state, which is asked less */
     const char *state_path;       /* null: nobody wants one */
     time_t saved;                 /* when the state was written last */
@@ -228,6 +232,23 @@ size_t optimize_keep_count(const void *input);
  *           was found, with what is wrong with the lens itself
  */
 bool optimize_job_run(struct optimize_job *job, struct error *error);
+
+/* -------- optimize --start: lenses from nothing -------- */
+
+/*
+ * Read --start, and make a job of each layout, whose lens has the stop in another gap.
+ *
+ * Given     job  with its input; receives start and layouts
+ * Errors    ERROR_USAGE: a word that is none, lacks, is there twice or out of its range, words that
+ *           contradict each other
+ */
+bool optimize_start_open(struct optimize_job *job, struct error *error);
+
+/* optimize_global.place, of the job: a layout by third-order theory (design/predesign.h). */
+bool optimize_start_place(void *context, size_t number, struct arena *arena, double *numbers);
+
+/* How many starts are searched from: of --global, or those of --start. */
+size_t optimize_start_count(const struct optimize_input *input);
 
 /* With --global, whose merit is that of the question. */
 bool optimize_search(struct optimize_job *job, const struct merit_question *question,

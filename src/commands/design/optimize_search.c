@@ -14,10 +14,24 @@
 /* Of the few lenses that are kept; where there is no time left, fewer. */
 enum { LAST_ITERATIONS = 1000, CUT_ITERATIONS = 50, SAVED_EVERY = 30 /* s */ };
 
+enum { USUAL_STARTS = 100, USUAL_KEPT = 10 /* of --start */ };
+
+size_t optimize_start_count(const struct optimize_input *input)
+{
+    return input->global == 0 && input->start != NULL ? USUAL_STARTS : (size_t)input->global;
+}
+
 size_t optimize_keep_count(const void *data)
 {
     const struct optimize_input *input = data;
-    return input->global > 0 ? (size_t)input->keep : 1;
+    if (input->keep > 0) {
+        return (size_t)input->keep;
+    }
+    if (input->start == NULL) {
+        return 1;
+    }
+    const size_t starts = optimize_start_count(input);
+    return starts < USUAL_KEPT ? starts : USUAL_KEPT;
 }
 
 /* Once an iteration, from any thread. */
@@ -123,6 +137,10 @@ static bool drop_idle(struct optimize_job *job, struct merit_question question, 
 static const char *range_in_words(const struct optimize_job *job)
 {
     struct arena *arena = job->run->arena;
+    if (job->start != NULL) {
+        return arena_printf(arena, "of %zu layout%s by third-order theory", job->layout_count,
+                            job->layout_count == 1 ? "" : "s");
+    }
     const double spread = job->input->spread;
     const struct global_range range = optimize_global_range(&job->variables, spread, arena);
     const char *names = "";
@@ -153,7 +171,6 @@ static size_t descend_last(struct optimize_job *job, size_t most, struct global_
     const bool is_cut = job->is_late || job->incomplete != NULL;
     const int longest = is_cut ? CUT_ITERATIONS : LAST_ITERATIONS;
     const struct optimize_task task = {
-        .merit = &job->merit,
         .iterations = global->iterations > 0 ? global->iterations : longest,
         .goes_on = watch_is_ended(watch) ? NULL : optimize_search_goes_on,
         .context = job};
@@ -170,6 +187,25 @@ static size_t descend_last(struct optimize_job *job, size_t most, struct global_
     }
     job->is_late = job->is_late || (is_stopped && !watch_is_ended(watch));
     return count;
+}
+
+/* The layout that a start has; there was no lens before. */
+static void search_take_layout(struct optimize_job *one, size_t start)
+{
+    const struct optimize_job *layout = &one->layouts[start % one->layout_count];
+    struct optimize_state *before = &one->answer.before;
+    one->input = layout->input;
+    one->lens = layout->lens;
+    one->variables = layout->variables;
+    one->goals = layout->goals;
+    one->merit = layout->merit;
+    before->merit = NAN;
+    for (size_t i = 0; i < one->merit.residual_count; i++) {
+        before->residuals[i] = before->values[i] = NAN;
+    }
+    for (size_t j = 0; j < one->variables.count; j++) {
+        before->numbers[j] = NAN;
+    }
 }
 
 static bool is_better_job(const struct optimize_job *a, const struct optimize_job *b)
@@ -194,7 +230,10 @@ static size_t list_kept(struct optimize_job *job, const struct global_kept *kept
         *one = *job;
         one->warning = NULL;
         one->answer = kept[i].answer;
-        one->found = variables_lens(&job->variables, kept[i].answer.after.numbers, job->run->arena);
+        if (job->start != NULL) {
+            search_take_layout(one, kept[i].start);
+        }
+        one->found = variables_lens(&one->variables, kept[i].answer.after.numbers, job->run->arena);
         one->hits = (long)kept[i].hits;
         if (job->input->glasses == NULL && job->input->plates == NULL) {
             found++;
@@ -336,38 +375,57 @@ static void search_warn(struct optimize_job *job, size_t done)
     }
 }
 
-bool optimize_search(struct optimize_job *job, const struct merit_question *question,
-                     struct error *error)
+/* The search, of which nothing is done. */
+static struct optimize_global *search_open(struct optimize_job *job)
 {
     const struct optimize_input *input = job->input;
     struct arena *arena = job->run->arena;
-    struct watch *watch = job->run->watch;
     struct optimize_global *global = ARENA_NEW(arena, struct optimize_global);
-    *global = (struct optimize_global){.merit = &job->merit,
+    const size_t starts = optimize_start_count(input);
+    const size_t layouts = job->start != NULL ? job->layout_count : 1;
+    const struct merit **merits = ARENA_ARRAY(arena, layouts, const struct merit *);
+    merits[0] = &job->merit;
+    for (size_t i = 0; i < job->layout_count; i++) {
+        merits[i] = &job->layouts[i].merit;
+    }
+    *global = (struct optimize_global){.merits = merits,
+                                       .layouts = layouts,
+                                       .place = job->start != NULL ? optimize_start_place : NULL,
                                        .iterations = (int)input->iterations,
                                        .escapes = (int)input->escapes,
                                        .seed = (uint64_t)input->seed,
                                        .spread = input->spread,
                                        .threads = parallel_threads(input->threads),
-                                       .watch = watch,
+                                       .watch = job->run->watch,
                                        .goes_on = optimize_search_goes_on,
                                        .accepts = optimize_search_accepts,
                                        .context = job,
-                                       .start_count = (size_t)input->global,
-                                       .end = (size_t)input->global};
+                                       .start_count = starts,
+                                       .end = starts};
     global->results = ARENA_ARRAY(arena, global->start_count, struct global_result);
+    return global;
+}
+
+bool optimize_search(struct optimize_job *job, const struct merit_question *question,
+                     struct error *error)
+{
+    const struct optimize_input *input = job->input;
+    struct watch *watch = job->run->watch;
+    struct optimize_global *global = search_open(job);
+    const size_t starts = global->start_count;
     job->global = global;
     const double begun = progress_clock();
     const double seconds = isnan(input->seconds) ? INFINITY : input->seconds;
     job->until = INFINITY; /* what is searched is the same, however little time there is */
-    if (input->keep > input->global) {
-        return fail(error, ERROR_USAGE, "{--keep} %ld of {--global} %ld: at most one a start",
-                    input->keep, input->global);
+    if (input->keep > (long)starts) {
+        return fail(error, ERROR_USAGE, "{--keep} %ld of {--global} %zu: at most one a start",
+                    input->keep, starts);
     }
     if (input->solver != SOLVER_DLS) {
         return fail(error, ERROR_USAGE, "{--global} searches with {--solver} dls only");
     }
-    if (!drop_idle(job, *question, error) || !optimize_part_begin(job, error)) {
+    if ((job->start == NULL && !drop_idle(job, *question, error)) ||
+        !optimize_part_begin(job, error)) {
         return false;
     }
     /* half of the time is for glasses and plates */
@@ -389,7 +447,7 @@ bool optimize_search(struct optimize_job *job, const struct merit_question *ques
         size_t lost;
         const char *losses = search_losses_words(job, &lost);
         losses = losses != NULL ? losses : "as what was found is no lens";
-        if (optimize_run(&task, arena, &job->answer, error)) {
+        if (optimize_run(&task, job->run->arena, &job->answer, error)) {
             return fail(error, ERROR_DOMAIN, "none of %zu starts leads to a lens: %s", done,
                         losses);
         }
