@@ -63,23 +63,28 @@ static const char *optimize_field_of(const struct merit *merit, const struct mer
     return arena_printf(merit->arena, " for a ray of field %zu", field + 1);
 }
 
-/* A solver begins with numbers: what is none, a goal or its derivative by a variable. */
+/* A solver begins with numbers whose squares are some: what is none, a goal or its derivative by a
+   variable. */
 static bool optimize_check_numbers(const struct merit *merit, const double *residuals,
                                    const double *jacobian, struct error *error)
 {
+    static const double most = 1e150;
     const size_t n = merit->variable_count;
     for (size_t i = 0; i < merit->slot_count; i++) {
         const struct merit_slot *slot = &merit->slots[i];
         for (size_t k = 0; k < slot->count; k++) {
             const size_t row = slot->first + k;
             size_t j = 0;
-            while (j < n && isfinite(jacobian[row * n + j])) {
+            while (j < n && fabs(jacobian[row * n + j]) <= most) {
                 j++;
             }
-            if (!isfinite(residuals[row])) {
-                return fail(error, ERROR_DOMAIN,
-                            "the goal %s is not a number%s where the lens begins",
-                            slot->operand->name, optimize_field_of(merit, slot, k));
+            if (!(fabs(residuals[row]) <= most)) {
+                const char *off = isnan(residuals[row])
+                                      ? "is not a number"
+                                      : arena_printf(merit->arena, "is off by %.3g deviations",
+                                                     fabs(residuals[row]));
+                return fail(error, ERROR_DOMAIN, "the goal %s %s%s where the lens begins",
+                            slot->operand->name, off, optimize_field_of(merit, slot, k));
             }
             if (j < n) {
                 const char *name = merit->question.variables->list[j].name;

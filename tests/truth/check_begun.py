@@ -91,6 +91,17 @@ def check_powerless(program, checks, folder):
         checks.check("the lens has no power" in said and "efl = 100" in said, f"{focus}: {said}")
 
 
+def check_numbers(program, checks, folder):
+    """What no solver can begin with is named: the goal, how far it is off, or the variable."""
+    path = os.path.join(folder, "tiny.lens")
+    with open(path, "w", encoding="utf-8") as file:
+        file.write("wavelength d\nfield angle 0 3\naperture epd 1e-205\nfocus table\n"
+                   "surface 1e-40 3 1.5 - stop\nsurface - 80 air -\n")
+    result = program.run("optimize", path, "--vary", "c1,t1", "--goals", "fnumber=5")
+    checks.check(b"the goal fnumber = 5 is off by 2e+165 deviations" in result.stderr,
+                 f"tiny: {result.stderr}")
+
+
 def check_moved(program, checks, folder):
     """Begun at the bound that is nearest, in curvature for radii, and said."""
     path = os.path.join(folder, "singlet.lens")
@@ -236,6 +247,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         check_achromat(program, checks, folder)
         check_powerless(program, checks, folder)
+        check_numbers(program, checks, folder)
         check_moved(program, checks, folder)
         check_assumed(program, checks, folder)
         check_degenerate(program, checks, folder)
