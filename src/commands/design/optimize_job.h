@@ -139,6 +139,9 @@ struct lens optimize_lens_written(const struct optimize_job *job);
 /* A variable of a lens, mm, 1/mm, rad or 1; of a glass that took a model's place its nd or Vd. */
 double optimize_variable_in(const struct optimize_job *job, const struct lens *lens, size_t which);
 
+/* What there is to say of it: the glass or plate that it became, or its bound; null: nothing. */
+const char *optimize_variable_note(const struct optimize_job *job, size_t which, bool *is_at_bound);
+
 /* The rows of --show. */
 extern const struct sheet *const optimize_sheets[];
 bool optimize_emit(struct optimize_job *job, struct error *error);

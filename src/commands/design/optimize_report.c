@@ -163,6 +163,24 @@ static int page_move_compare(const void *one, const void *other)
     return farther != 0 ? farther : (a->variable > b->variable) - (a->variable < b->variable);
 }
 
+/* Of radii and focal lengths by their reciprocals; of glasses in 0.1 of nd and 10 of Vd, whatever
+   the solver had in their place. */
+static double page_distance(const struct optimize_job *job, size_t which)
+{
+    const enum parameter_kind kind = job->variables.list[which].what.kind;
+    double from = optimize_variable_in(job, job->lens, which);
+    double to = optimize_variable_in(job, job->found, which);
+    double scale = job->variables.scale[which];
+    if (kind == PARAMETER_RADIUS || kind == PARAMETER_FOCAL) {
+        from = 1 / from;
+        to = 1 / to;
+    }
+    if (parameter_is_of_medium(kind)) {
+        scale = kind == PARAMETER_INDEX ? 0.1 : 10;
+    }
+    return fabs(to - from) / scale;
+}
+
 /* The variables that moved most. */
 static struct text page_variable_lines(const struct optimize_job *job, struct arena *arena)
 {
@@ -170,24 +188,19 @@ static struct text page_variable_lines(const struct optimize_job *job, struct ar
     struct text_buffer lines = {.arena = arena};
     struct page_move *moves = ARENA_ARRAY(arena, variables->count + 1, struct page_move);
     for (size_t i = 0; i < variables->count; i++) {
-        const double from = job->answer.before.numbers[i], to = job->answer.after.numbers[i];
-        const double distance = fabs(to - from) / variables->scale[i];
+        const double distance = page_distance(job, i);
         moves[i] = (struct page_move){i, isnan(distance) ? 0 : distance};
     }
     qsort(moves, variables->count, sizeof *moves, page_move_compare);
     growing_format(&lines, "%-12s %14s %14s %14s  %s\n", "variable", "start", "end", "moved", "");
     for (size_t k = 0; k < variables->count && k < MOST_SHOWN; k++) {
         const size_t i = moves[k].variable;
-        const char *note = "";
-        if (job->answer.summary.at_bound[i]) {
-            note = "at its bound";
-        } else if (job->answer.is_idle[i]) {
-            note = "no goal depends on it";
-        }
+        bool is_at_bound;
+        const char *note = optimize_variable_note(job, i, &is_at_bound);
         growing_format(&lines, "%-12s %14s %14s %14.4f  %s\n", variables->list[i].name,
                        page_number(optimize_variable_in(job, job->lens, i), arena),
                        page_number(optimize_variable_in(job, job->found, i), arena),
-                       moves[k].distance, note);
+                       moves[k].distance, note != NULL ? note : "");
     }
     if (variables->count > MOST_SHOWN) {
         growing_format(&lines, "and %zu others\n", variables->count - MOST_SHOWN);
@@ -218,7 +231,9 @@ static struct text page_binding_lines(const struct optimize_job *job, struct are
     for (size_t i = 0; i < variables->count; i++) {
         const struct variable *one = &variables->list[i];
         const double at = optimize_variable_in(job, job->found, i);
-        if (job->answer.summary.at_bound[i]) {
+        bool is_at_bound;
+        optimize_variable_note(job, i, &is_at_bound);
+        if (is_at_bound) {
             const bool is_low = !(fabs(at - one->low) > fabs(at - one->high));
             growing_format(&lines, "%-34s %s bound, %s\n", one->name, is_low ? "lower" : "upper",
                            page_number(at, arena));

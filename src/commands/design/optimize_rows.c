@@ -216,30 +216,38 @@ double optimize_variable_in(const struct optimize_job *job, const struct lens *l
     return parameter_get(lens_at_position(lens, position, job->run->arena), variable->what);
 }
 
+const char *optimize_variable_note(const struct optimize_job *job, size_t which, bool *is_at_bound)
+{
+    const struct optimize_answer *answer = &job->answer;
+    const struct variable *variable = &job->variables.list[which];
+    const struct medium *glass = exchanged_glass(job->found, variable);
+    *is_at_bound = false;
+    if (glass != NULL) {
+        return glass->written.start;
+    }
+    if (optimize_plates_hold(job, variable)) {
+        return "of a test plate";
+    }
+    if (answer->is_idle[which]) {
+        return "no goal depends on it";
+    }
+    *is_at_bound = answer->summary.at_bound[which];
+    return *is_at_bound ? "at its bound" : NULL;
+}
+
 static bool emit_variables(struct optimize_job *job, struct error *error)
 {
     (void)error;
-    const struct optimize_answer *answer = &job->answer;
     for (size_t i = 0; i < job->variables.count; i++) {
         const struct variable *variable = &job->variables.list[i];
-        const struct medium *glass = exchanged_glass(job->found, variable);
-        const char *note = NULL;
-        if (glass != NULL) {
-            note = glass->written.start;
-        } else if (optimize_plates_hold(job, variable)) {
-            note = "of a test plate";
-        } else if (answer->is_idle[i]) {
-            note = "no goal depends on it";
-        } else if (answer->summary.at_bound[i]) {
-            note = "at its bound";
-        }
+        bool is_at_bound;
         const struct variable_row row = {.about = optimize_about_of(job, i == 0),
                                          .variable = variable->name,
                                          .before = optimize_variable_in(job, job->lens, i),
                                          .after = optimize_variable_in(job, job->found, i),
                                          .low = bound_or_none(variable->low),
                                          .high = bound_or_none(variable->high),
-                                         .note = note};
+                                         .note = optimize_variable_note(job, i, &is_at_bound)};
         if (!run_emit(job->run, &row)) {
             break;
         }
