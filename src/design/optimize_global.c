@@ -147,17 +147,39 @@ static bool global_run_goes_on(const struct optimize_global *global)
            (global->goes_on == NULL || global->goes_on(global->context));
 }
 
+/* "a ray is lost at surface 3 (miss)" as people say it; others as they are. */
+static const char *global_ray_words(const char *words, struct arena *arena)
+{
+    static const char lost[] = "a ray is lost at surface ";
+    static const char *const says[][2] = {{" (miss)", "misses"},
+                                          {" (total_reflection)", "is totally reflected at"},
+                                          {" (clipped)", "is clipped at"},
+                                          {" (not_converged)", "is not found at"}};
+    if (strncmp(words, lost, strlen(lost)) == 0) {
+        const char *number = words + strlen(lost), *end = number + strspn(number, "0123456789");
+        for (size_t i = 0; i < sizeof says / sizeof says[0]; i++) {
+            if (strcmp(end, says[i][0]) == 0) {
+                return arena_printf(arena, "a ray %s surface %.*s", says[i][1], (int)(end - number),
+                                    number);
+            }
+        }
+    }
+    return words;
+}
+
 /* Why a start is lost, without what differs from start to start: numbers of rays and fields. */
 static const char *global_lost_words(const char *message, struct arena *arena)
 {
     static const char digits[] = "0123456789.", of[] = " of ", of_field[] = " of field ";
     char *words = ARENA_ARRAY(arena, strlen(message) + 1, char);
-    const size_t some = strspn(message, digits);
-    const char *from = message, *all = message + some + strlen(of);
+    const char *from = message + strspn(message, digits);
     size_t used = 0;
-    if (some > 0 && strncmp(message + some, of, strlen(of)) == 0 && strspn(all, digits) > 0) {
-        from = all + strspn(all, digits); /* "2 of 36 rays" */
+    if (from > message && strncmp(from, of, strlen(of)) == 0) { /* "2 of 36 rays" */
+        from += strlen(of);
+        from += strspn(from, digits);
         from += *from == ' ';
+    } else {
+        from = message;
     }
     while (*from != '\0') {
         if (strncmp(from, of_field, strlen(of_field)) == 0) {
@@ -168,7 +190,7 @@ static const char *global_lost_words(const char *message, struct arena *arena)
         }
     }
     words[used] = '\0';
-    return words;
+    return used > 0 ? global_ray_words(words, arena) : "its goals have no value";
 }
 
 /* Of the minima those that are lenses. */

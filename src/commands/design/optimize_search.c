@@ -63,7 +63,7 @@ static int search_loss_compare(const void *one, const void *other)
                                 : strcmp(a->words, b->words);
 }
 
-/* "8 as a ray is lost at surface 3 (miss), 4 as ...": the commonest first; null: none is lost. */
+/* "8 as a ray misses surface 3, 4 as ...": the commonest first; null: none is lost. */
 static const char *search_losses_words(const struct optimize_job *job, size_t *lost)
 {
     enum { MOST = 4 };
