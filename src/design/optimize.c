@@ -26,10 +26,10 @@ static const double least_gain = 1e-8;
 
 static struct optimize_state new_state(const struct merit *merit, struct arena *arena)
 {
-    return (struct optimize_state){.numbers = ARENA_ARRAY(arena, merit->variable_count + 1, double),
-                                   .residuals =
-                                       ARENA_ARRAY(arena, merit->residual_count + 1, double),
-                                   .values = ARENA_ARRAY(arena, merit->residual_count + 1, double)};
+    return (struct optimize_state){
+        .numbers = ARENA_ARRAY(arena, merit->variable_count + 1, double),
+        .residuals = ARENA_ARRAY(arena, merit->residual_count + 1, double),
+        .values = ARENA_ARRAY(arena, merit_value_count(merit) + 1, double)};
 }
 
 /* Evaluate where `state` has its numbers; derivatives of all goals, of those too that are met. */
@@ -39,7 +39,7 @@ static bool optimize_look(struct merit *merit, struct optimize_state *state, dou
         return false;
     }
     merit_drop_met(merit, state->residuals, NULL);
-    memcpy(state->values, merit->values, merit->residual_count * sizeof(double));
+    memcpy(state->values, merit->values, merit_value_count(merit) * sizeof(double));
     state->merit = 0;
     for (size_t i = 0; i < merit->residual_count - merit->exact_count; i++) {
         state->merit += state->residuals[i] * state->residuals[i];

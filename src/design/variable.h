@@ -137,6 +137,14 @@ size_t variables_links(const struct variables *variables, size_t position, doubl
                        struct variable_link *links);
 
 /*
+ * The derivative of a number of the lens by a variable, where variables_put has set it last.
+ *
+ * Given     what  any number: one that does not vary has 0
+ */
+double variables_slope(const struct variables *variables, size_t position, size_t variable,
+                       struct parameter what);
+
+/*
  * The lens in all its positions with these numbers, to be written.
  *
  * Result    numbers rounded to 14 digits, marks and bounds as they are, pick-ups followed

@@ -107,6 +107,26 @@ static void variable_put_derive(const struct variables *variables, size_t positi
     }
 }
 
+double variables_slope(const struct variables *variables, size_t position, size_t variable,
+                       struct parameter what)
+{
+    const bool is_radius = what.kind == PARAMETER_RADIUS;
+    const double *values = variable_put_values_of(variables, position);
+    double slope = 0;
+    what.kind = is_radius ? PARAMETER_CURVATURE : what.kind;
+    variable_put_derive(variables, position, variable);
+    for (size_t i = 0; i < variables->number_count; i++) {
+        const struct variable_number *number = &variables->numbers[i];
+        if (parameter_is_identical(number->what, what)) {
+            /* d(1/x) = -dx/x^2 */
+            slope = number->is_inverse || is_radius
+                        ? -variables->slopes[i] / (values[i] * values[i])
+                        : variables->slopes[i];
+        }
+    }
+    return slope;
+}
+
 size_t variable_index_links(const struct lens *lens, struct variable_link link, size_t first,
                             size_t count, struct variable_link *links)
 {

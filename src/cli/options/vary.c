@@ -150,8 +150,7 @@ static bool add_parameter(struct vary_parser *naming, struct parameter what, str
     return true;
 }
 
-/* The cell that a word stands in, of the first surface. */
-static bool find_cell(const struct lens *lens, size_t word, struct parameter *what)
+bool vary_find_cell(const struct lens *lens, size_t word, struct parameter *what)
 {
     static const enum parameter_kind kinds[] = {PARAMETER_THICKNESS, PARAMETER_FOCAL};
     for (size_t i = 0; i < 2 * lens->surface_count; i++) {
@@ -172,7 +171,7 @@ static bool vary_add_word(struct vary_parser *naming, size_t word, size_t positi
     const struct lens *lens = naming->reader->lens;
     const struct text name = lens->variables[word].name;
     struct variable variable = {.position = 0};
-    if (!find_cell(lens, word, &variable.what)) {
+    if (!vary_find_cell(lens, word, &variable.what)) {
         return fail(error, ERROR_DOMAIN,
                     "%.*s stands for no thickness and no focal length: it cannot vary",
                     text_shown(name), name.start);
@@ -287,7 +286,7 @@ static bool vary_add_range(struct vary_parser *naming, struct parameter what, si
         struct parameter first;
         bool word = cell != NULL && cell->variable != LENS_NONE;
         bool once =
-            word && find_cell(lens, cell->variable, &first) && first.surface == what.surface;
+            word && vary_find_cell(lens, cell->variable, &first) && first.surface == what.surface;
         bool there = word ? once : vary_is_there(lens, what);
         if (there && !(word ? vary_add_word(naming, cell->variable, LENS_NONE, error)
                             : add_parameter(naming, what, error))) {

@@ -43,4 +43,8 @@ bool vary_list(const struct vary_reader *reader, const char *vary, const char *h
 bool vary_marks(const struct vary_reader *reader, struct variable **list, size_t *count,
                 const char **ignored, struct error *error);
 
+/* The cell that a word of the positions stands in, of the first surface; false: in no thickness and
+   no focal length. */
+bool vary_find_cell(const struct lens *lens, size_t word, struct parameter *what);
+
 #endif

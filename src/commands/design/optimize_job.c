@@ -120,10 +120,13 @@ static bool check_used(const struct merit_question *question, const struct goals
 {
     bool of_wavelengths = false, of_fields = false;
     for (size_t i = 0; i < goals->count; i++) {
-        const struct operand *goal = &goals->list[i];
-        const unsigned is = operand_type(goal->kind)->is;
-        of_wavelengths |= (is & OPERAND_OF_WAVELENGTHS) != 0 && isnan(goal->wavelength);
-        of_fields |= (is & OPERAND_AT_FIELD) != 0 && goal->field == NULL;
+        size_t count;
+        const struct operand *terms = operand_terms(&goals->list[i], &count);
+        for (size_t k = 0; k < count; k++) {
+            const unsigned is = operand_type(terms[k].kind)->is;
+            of_wavelengths |= (is & OPERAND_OF_WAVELENGTHS) != 0 && isnan(terms[k].wavelength);
+            of_fields |= (is & OPERAND_AT_FIELD) != 0 && terms[k].field == NULL;
+        }
     }
     if (question->wavelength_count > 0 && !of_wavelengths) {
         fail(error, ERROR_USAGE, "{--wavelength} does nothing here: no goal is of all wavelengths");

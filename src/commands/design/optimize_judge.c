@@ -11,6 +11,7 @@
 #include "commands/analysis/analysis_options.h"
 #include "design/degenerate.h"
 #include "design/glass_map.h"
+#include "design/merit/expression.h"
 #include "report/warnings.h"
 
 #include <math.h>
@@ -142,8 +143,12 @@ static void warn_of_contrast(struct optimize_job *job)
 {
     struct contrast_doubt doubt = {.off = doubtful};
     for (size_t i = 0; i < job->merit.slot_count; i++) {
-        if (is_contrast(job->merit.slots[i].operand)) {
-            look_at_slot(job, &job->merit.slots[i], &doubt);
+        size_t count;
+        const struct merit_slot *slots = expression_slots(&job->merit.slots[i], &count);
+        for (size_t k = 0; k < count; k++) {
+            if (is_contrast(slots[k].operand)) {
+                look_at_slot(job, &slots[k], &doubt);
+            }
         }
     }
     if (doubt.operand != NULL && isnan(doubt.is)) {
@@ -337,10 +342,14 @@ static bool warn_of_power(struct optimize_job *job, struct error *error)
             return error_prefix(error, "the lens that was found: ");
         }
         for (size_t k = 0; k < merit->slot_count; k++) {
-            const enum operand_kind kind = merit->slots[k].operand->kind;
-            is_held |=
-                merit->slots[k].place == i &&
-                (kind == OPERAND_EFL || kind == OPERAND_MAGNIFICATION || kind == OPERAND_HEIGHT);
+            size_t count;
+            const struct merit_slot *slots = expression_slots(&merit->slots[k], &count);
+            for (size_t t = 0; t < count; t++) {
+                const enum operand_kind kind = slots[t].operand->kind;
+                is_held |=
+                    slots[t].place == i && (kind == OPERAND_EFL || kind == OPERAND_MAGNIFICATION ||
+                                            kind == OPERAND_HEIGHT);
+            }
         }
         if (isfinite(before) && !(fabs(first.efl / before - 1) <= most) && !is_held) {
             optimize_warn(job, "%s%sno goal holds the focal length: it was %.4g mm and is %.4g",

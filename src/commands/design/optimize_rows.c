@@ -3,6 +3,7 @@
 #include "analysis/rays/spot.h"
 #include "commands/analysis/analysis_options.h"
 #include "commands/design/optimize_job.h"
+#include "design/merit/expression.h"
 #include "file/lens_glass.h"
 
 #include <string.h>
@@ -117,17 +118,27 @@ double optimize_merit_of(const struct optimize_state *state, const struct merit_
 double optimize_value_of(const struct optimize_state *state, const struct merit_slot *slot)
 {
     const struct operand *operand = slot->operand;
-    const struct operand_type *type = operand_type(operand->kind);
+    const struct operand_unit unit = operand_unit(operand);
     double worst = state->values[slot->first];
     for (size_t i = slot->first; i < slot->first + slot->count; i++) {
         if (optimize_wrong_by(operand, state->values[i]) > optimize_wrong_by(operand, worst)) {
             worst = state->values[i];
         }
     }
-    if ((type->is & OPERAND_OF_RAYS) != 0) {
+    if ((operand_type(operand->kind)->is & OPERAND_OF_RAYS) != 0) {
         worst = sqrt(optimize_merit_of(state, slot)) * operand->deviation;
     }
-    return unit_from_own(unit_find(type->dimension, text_of(type->unit)), worst);
+    return unit_from_own(unit_find(unit.dimension, text_of(unit.unit)), worst);
+}
+
+/* The position that a goal is of; null: there is one alone, or it compares several. */
+static const char *optimize_position_of(const struct merit *merit, const struct merit_slot *slot)
+{
+    const struct operand *operand = slot->operand;
+    const bool compares = operand->kind == OPERAND_EXPRESSION &&
+                          expression_is_fixed(operand->expression) &&
+                          expression_position(operand->expression) == LENS_NONE;
+    return compares ? NULL : merit->places[slot->place].setup.position;
 }
 
 bool optimize_is_quiet(const struct optimize_job *job, const struct merit_slot *slot)
@@ -146,10 +157,10 @@ static bool emit_merit(struct optimize_job *job, struct error *error)
         const struct merit_slot *slot = &merit->slots[i];
         const double before = optimize_merit_of(&answer->before, slot);
         const double after = optimize_merit_of(&answer->after, slot);
-        const char *unit = operand_type(slot->operand->kind)->unit;
+        const char *unit = operand_unit(slot->operand).label;
         const bool is_exact = slot->operand->relation == OPERAND_EXACT;
         const struct optimize_goal_row row = {.about = optimize_about_of(job, i == 0),
-                                              .position = merit->places[slot->place].setup.position,
+                                              .position = optimize_position_of(merit, slot),
                                               .goal = slot->operand->name,
                                               .unit = *unit != '\0' ? unit : NULL,
                                               .before = optimize_value_of(&answer->before, slot),

@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "design/merit/merit.h"
 
+#include "design/merit/expression.h"
 #include "design/merit/merit_graze.h"
 #include "design/merit/merit_kinds.h"
 #include "design/merit/merit_mtf.h"
@@ -12,11 +13,7 @@
 #include <math.h>
 #include <string.h>
 
-/* How a kind is filled; without `prepare` it has one residual. */
-static const struct merit_kind {
-    merit_fill *fill;
-    merit_prepare *prepare;
-} kinds[OPERAND_KINDS] = {
+static const struct merit_kind kinds[OPERAND_KINDS] = {
     [OPERAND_EFL] = {merit_fill_power, merit_prepare_power},
     [OPERAND_PETZVAL] = {merit_fill_power, merit_prepare_power},
     [OPERAND_BFL] = {merit_fill_first, merit_prepare_first},
@@ -54,9 +51,37 @@ static const struct merit_kind {
     [OPERAND_GRAZING] = {merit_fill_graze, merit_prepare_graze},
     [OPERAND_MTF] = {merit_fill_mtf, merit_prepare_mtf},
     [OPERAND_GMTF] = {merit_fill_mtf, merit_prepare_mtf},
+    [OPERAND_NUMBER] = {merit_fill_number, NULL},
+    [OPERAND_EXPRESSION] = {merit_fill_expression, merit_prepare_expression},
 };
 
+
 /* -------- opening -------- */
+
+static bool has_position(const struct merit *merit, size_t position)
+{
+    bool found = position == LENS_NONE;
+    for (size_t i = 0; i < merit->place_count; i++) {
+        found = found || merit->places[i].position == position;
+    }
+    return found;
+}
+
+/* Is an operand evaluated there? Of an expression of named positions alone that is one of them. */
+static bool operand_is_at(const struct merit *merit, const struct operand *operand, size_t place)
+{
+    size_t count;
+    const struct operand *terms = operand_terms(operand, &count);
+    bool is_there = true;
+    for (size_t i = 0; i < count; i++) {
+        is_there = is_there && has_position(merit, terms[i].position);
+    }
+    const size_t position =
+        operand->kind == OPERAND_EXPRESSION && expression_is_fixed(operand->expression)
+            ? terms[0].position
+            : operand->position;
+    return is_there && (position == LENS_NONE || position == merit->places[place].position);
+}
 
 /* One operand in the positions that it is of. */
 static bool add_slots(struct merit *merit, const struct operand *operand, struct arena *arena,
@@ -64,7 +89,7 @@ static bool add_slots(struct merit *merit, const struct operand *operand, struct
 {
     const struct merit_kind *kind = &kinds[operand->kind];
     for (size_t i = 0; i < merit->place_count; i++) {
-        if (operand->position != LENS_NONE && operand->position != merit->places[i].position) {
+        if (!operand_is_at(merit, operand, i)) {
             continue;
         }
         struct merit_slot *slot = &merit->slots[merit->slot_count];
@@ -106,10 +131,16 @@ bool merit_open(const struct merit_question *question, struct arena *arena, stru
                 struct error *error)
 {
     merit_begin(merit, question, arena);
+    merit->kinds = kinds;
     if (!merit_places_open(merit, arena, error) || !open_slots(merit, arena, error)) {
         return false;
     }
-    merit->values = ARENA_ARRAY(arena, merit->residual_count, double);
+    for (size_t i = 0; i < merit->slot_count; i++) {
+        if (merit->slots[i].operand->kind == OPERAND_EXPRESSION) {
+            expression_slots_shift(&merit->slots[i], merit->residual_count);
+        }
+    }
+    merit->values = ARENA_ARRAY(arena, merit_value_count(merit), double);
     /* which residuals are those of '<' and '>' */
     static const enum solver_side sides[OPERAND_RELATIONS] = {
         [OPERAND_BELOW] = SIDE_ABOVE, [OPERAND_ABOVE] = SIDE_BELOW};

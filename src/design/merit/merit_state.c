@@ -81,15 +81,22 @@ static bool open_place(const struct merit *merit, size_t position, struct arena 
                error_prefix(error, "position %s: ", place->setup.position);
     }
     /* the primary wavelength, those of the lens or asked for, those of operands */
-    const size_t most = 1 + place->setup.wavelength_count + question->operand_count;
+    size_t most = 1 + place->setup.wavelength_count, count;
+    for (size_t i = 0; i < question->operand_count; i++) {
+        operand_terms(&question->operands[i], &count);
+        most += count;
+    }
     place->lights = ARENA_ARRAY(arena, most, struct merit_light);
     merit_place_add_light(merit, place, lens_primary_wavelength(place->setup.lens), arena);
     for (size_t i = 0; i < place->setup.wavelength_count; i++) {
         merit_place_add_light(merit, place, place->setup.wavelengths[i].wavelength, arena);
     }
     for (size_t i = 0; i < question->operand_count; i++) {
-        if (!isnan(question->operands[i].wavelength)) {
-            merit_place_add_light(merit, place, question->operands[i].wavelength, arena);
+        const struct operand *terms = operand_terms(&question->operands[i], &count);
+        for (size_t k = 0; k < count; k++) {
+            if (!isnan(terms[k].wavelength)) {
+                merit_place_add_light(merit, place, terms[k].wavelength, arena);
+            }
         }
     }
     return true;
@@ -218,6 +225,12 @@ bool merit_put_inverse(struct merit *merit, const struct merit_slot *slot, size_
                        double *residuals, double *jacobian)
 {
     const double target = slot->operand->target, inverse = merit->change[0].value;
+    for (size_t j = 0; j < merit_columns(merit) && slot->operand->is_term; j++) {
+        merit->change[j] = dual_divide(dual_of(1), merit->change[j]);
+    }
+    if (slot->operand->is_term) {
+        return merit_put(merit, slot, at, residuals, jacobian);
+    }
     for (size_t j = 0; j < merit_columns(merit); j++) {
         /* T/x, and how it goes on where that is far from T; and its derivative */
         const struct dual x = dual_scale(merit->change[j], target);
@@ -238,7 +251,7 @@ bool merit_put_inverse(struct merit *merit, const struct merit_slot *slot, size_
 
 bool merit_inverse_check(const struct operand *operand, struct error *error)
 {
-    return (fabs(operand->target) > 0 && !isinf(operand->target)) ||
+    return operand->is_term || (fabs(operand->target) > 0 && !isinf(operand->target)) ||
            fail(error, ERROR_DOMAIN, "a finite %s that is not 0 must be its target",
                 operand_type(operand->kind)->dimension == &dimension_length ? "length" : "number");
 }

@@ -100,6 +100,8 @@ struct merit_slot {
     struct merit_beams *beams; /* its rays, of kinds that have many; else null */
 };
 
+struct merit_kind;
+
 /*
  * All operands, ready to be evaluated again and again. Residuals lie in the order of the slots:
  * constraints (OPERAND_EXACT) last, else as the operands and for each the positions.
@@ -111,7 +113,8 @@ struct merit {
     struct merit_slot *slots;
     size_t slot_count;
     size_t residual_count, exact_count;
-    size_t variable_count;   /* columns: those of irregularities too */
+    size_t term_count;     /* values of terms of expressions, which lie behind those of residuals */
+    size_t variable_count; /* columns: those of irregularities too */
     enum solver_side *sides; /* one a residual: on which side of its target a figure counts */
     double *values;          /* one a residual, of the last evaluation: a figure in its own unit, of
                             rays the residual itself */
@@ -120,7 +123,8 @@ struct merit {
     struct dual *change;       /* one figure, by every variable */
     struct arena *arena;       /* for what is given up before an evaluation ends */
     /* internal */
-    bool derives; /* derivatives are wanted */
+    const struct merit_kind *kinds; /* of all kinds */
+    bool derives;                   /* derivatives are wanted */
     bool forgets; /* rays are aimed without those of the lens before: slower, but a lens has a
                      value or none whichever came before it */
     unsigned long evaluation;
@@ -144,6 +148,18 @@ typedef bool merit_fill(struct merit *merit, const struct merit_slot *slot, doub
  */
 typedef size_t merit_prepare(struct merit *merit, struct merit_slot *slot, struct arena *arena,
                              struct error *error);
+
+/* How a kind is filled; without `prepare` it has one residual. */
+struct merit_kind {
+    merit_fill *fill;
+    merit_prepare *prepare;
+};
+
+/* As many as merit->values has. */
+static inline size_t merit_value_count(const struct merit *merit)
+{
+    return merit->residual_count + merit->term_count;
+}
 
 /* The light of a wavelength (um; NaN: the primary one) in the position of a slot; its links. */
 struct merit_light *merit_light(struct merit *merit, const struct merit_slot *slot,

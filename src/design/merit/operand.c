@@ -2,6 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "design/merit/operand.h"
 
+#include "design/merit/expression.h"
+
 const char *const operand_relations[OPERAND_RELATIONS] = {"=", "<", ">", "=="};
 
 enum {
@@ -68,6 +70,8 @@ static const struct operand_type types[OPERAND_KINDS] = {
                          TARGET},
     [OPERAND_MTF] = {"mtf", "contrast at a spatial frequency, with diffraction", NUMBER, CONTRAST},
     [OPERAND_GMTF] = {"gmtf", "the same, geometric", NUMBER, CONTRAST},
+    [OPERAND_NUMBER] = {NULL, "of the prescription", NUMBER, TARGET},
+    [OPERAND_EXPRESSION] = {NULL, "arithmetic", NUMBER, TARGET},
 };
 /* clang-format on */
 
@@ -76,6 +80,21 @@ static const char *const aliases[OPERAND_KINDS] = {[OPERAND_TELECENTRIC] = "cra"
 const struct operand_type *operand_type(enum operand_kind kind)
 {
     return &types[kind];
+}
+
+struct operand_unit operand_unit(const struct operand *operand)
+{
+    const struct operand_type *type = &types[operand->kind];
+    return operand->kind == OPERAND_EXPRESSION
+               ? operand->expression->unit
+               : (struct operand_unit){type->dimension, type->unit, type->unit};
+}
+
+const struct operand *operand_terms(const struct operand *operand, size_t *count)
+{
+    const bool is_expression = operand->kind == OPERAND_EXPRESSION;
+    *count = is_expression ? operand->expression->term_count : 1;
+    return is_expression ? operand->expression->terms : operand;
 }
 
 const char *operand_alias(enum operand_kind kind)

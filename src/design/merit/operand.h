@@ -6,6 +6,7 @@
 #include "analysis/setup/setup_question.h"
 #include "base/text.h"
 #include "base/units.h"
+#include "optics/parameter.h"
 #include "optics/surface.h"
 
 #include <math.h>
@@ -51,6 +52,8 @@ enum operand_kind {
     OPERAND_GRAZING,
     OPERAND_MTF,
     OPERAND_GMTF,
+    OPERAND_NUMBER,     /* a number of the prescription; without a name of its own */
+    OPERAND_EXPRESSION, /* arithmetic of others */
     OPERAND_KINDS
 };
 
@@ -67,6 +70,8 @@ extern const char *const operand_relations[OPERAND_RELATIONS];
 
 enum operand_orientation { ORIENTATION_BOTH, ORIENTATION_TANGENTIAL, ORIENTATION_SAGITTAL };
 
+struct expression;
+
 /* One thing that is wanted. */
 struct operand {
     enum operand_kind kind;
@@ -78,7 +83,10 @@ struct operand {
     size_t first, last;              /* surfaces, from 0; LENS_NONE: all that the kind knows */
     double frequency;                /* 1/mm; NaN: none */
     enum operand_orientation orientation;
-    const char *name; /* as typed, in one form: "bfl@F > 38" */
+    struct parameter parameter;          /* of OPERAND_NUMBER */
+    const struct expression *expression; /* of OPERAND_EXPRESSION */
+    bool is_term;                        /* of an expression, where its value alone counts */
+    const char *name;                    /* as typed, in one form: "bfl@F > 38" */
     struct typed_place place;
 };
 
@@ -110,6 +118,13 @@ enum {
     OPERAND_OF_WAVELENGTHS = 1024 /* all of the question, where it names none */
 };
 
+/* What values, targets and deviations are in. */
+struct operand_unit {
+    const struct dimension *dimension;
+    const char *unit;  /* that a bare number is in */
+    const char *label; /* for people: "mm", "mm^2"; "" of plain numbers */
+};
+
 /* A kind of operand, as goals are written and rows are printed. */
 struct operand_type {
     const char *name;                  /* "efl"; null: there is none as yet */
@@ -119,6 +134,16 @@ struct operand_type {
     unsigned is;                       /* OPERAND_AT_WAVELENGTH .. */
 };
 const struct operand_type *operand_type(enum operand_kind kind);
+
+/* The unit of an operand, which expressions have of their own. */
+struct operand_unit operand_unit(const struct operand *operand);
+
+/*
+ * What figures of the lens an operand is made of: of an expression its terms, else itself.
+ *
+ * Result    count of them
+ */
+const struct operand *operand_terms(const struct operand *operand, size_t *count);
 
 /* Another name of a kind; null: none. */
 const char *operand_alias(enum operand_kind kind);
