@@ -42,6 +42,8 @@ static const struct option options[] = {
      .help = "what is wanted: spot, poly, efl=100, 'bfl@F>38:0.02', 'edge 1..11 > 1', mtf@40/mm=1; "
              "== for what "
              "is met exactly; otherwise the goals in the lens, or usual ones"},
+    {OPTION(struct optimize_input, no_goal), .name = "no-goal", .value = "NAMES",
+     .help = "usual goals that are left out: poly, efl, fnumber, bfl, center, edge, air, grazing"},
     {OPTION(struct optimize_input, grade), .name = "grade", .value = "NAME",
      .help = "of the goal asbuilt, how well it is made: commercial, precision or high ('list "
              "tolerances'); without it the marks of the lens, without any precision"},

@@ -15,85 +15,6 @@
 #include <math.h>
 #include <string.h>
 
-/* The least of the lens's own centres, edges or gaps, mm; NaN: it cannot be told. */
-static double least_of_goal(struct optimize_job *job, const struct merit_question *question,
-                            const char *name)
-{
-    struct arena *arena = job->run->arena;
-    const struct goals_reader reader = {job->run->db, job->lens, arena, "--goals", 1};
-    const char *words = arena_printf(arena, "%s > 0", name);
-    struct merit_question asked = *question;
-    struct merit merit;
-    struct goals goals;
-    struct error ignored;
-    if (!goals_read(&reader, text_of(words), &goals, &ignored)) {
-        return NAN;
-    }
-    asked.operands = goals.list;
-    asked.operand_count = goals.count;
-    if (!merit_open(&asked, arena, &merit, &ignored)) {
-        return NAN;
-    }
-    merit_aperture_of_wanted(&merit);
-    double *numbers = ARENA_ARRAY(arena, job->variables.count + 1, double), least = INFINITY;
-    double *residuals = ARENA_ARRAY(arena, merit.residual_count + 1, double);
-    variables_get(&job->variables, numbers);
-    if (!merit_evaluate(&merit, numbers, residuals, NULL)) {
-        return NAN;
-    }
-    for (size_t i = 0; i < merit.residual_count; i++) {
-        least = fmin(least, merit.values[i]);
-    }
-    return least;
-}
-
-/*
- * What is wanted where nothing is said: `poly`, the focal length that is stated or else the lens's
- * own in each position, and no glass and no gap thinner than so much of the shortest of them, or
- * than the thinnest that is there; what cannot be told, as of surfaces that end before their edges,
- * is left out.
- */
-static const char *usual_goals(struct optimize_job *job, const struct merit_question *question)
-{
-    static const struct {
-        const char *name;
-        double share;
-    } limits[] = {{"center", 0.02}, {"edge", 0.01}, {"air", 0.001}};
-    struct arena *arena = job->run->arena;
-    const struct lens *lens = job->lens;
-    const char *words = "poly";
-    double size = INFINITY;
-    for (size_t i = 0; i < question->position_count; i++) {
-        const size_t at = question->positions[i];
-        double focal = lens_stated(lens, STATED_EFL, at);
-        struct first_order first;
-        struct error ignored;
-        if (isnan(focal) &&
-            first_order_of_lens(lens_at_position(lens, at, arena), lens_primary_wavelength(lens),
-                                question->section, arena, &first, &ignored)) {
-            focal = first.efl;
-        }
-        if (isfinite(focal)) {
-            const char *place =
-                lens->position_count > 1 ? arena_printf(arena, "@%s", lens->positions[at]) : "";
-            words = arena_printf(arena, "%s, efl%s = %.6g", words, place, focal);
-            size = fmin(size, fabs(focal));
-        }
-    }
-    for (size_t i = 0; i < sizeof limits / sizeof limits[0] && isfinite(size); i++) {
-        const double least = least_of_goal(job, question, limits[i].name),
-                     usual = limits[i].share * size;
-        if (!isnan(least)) {
-            /* two digits of it, not more than it is */
-            const double bound = least > 0 ? fmin(least, usual) : usual,
-                         step = pow(10, floor(log10(bound)) - 1);
-            words = arena_printf(arena, "%s, %s > %.2g", words, limits[i].name,
-                                 floor(bound / step * (1 + 1e-12)) * step);
-        }
-    }
-    return words;
-}
-
 /* Rays near loss count, wherever rays do and nothing else is said. */
 static void goals_add_grazing(struct optimize_job *job, struct goals *goals)
 {
@@ -107,7 +28,7 @@ static void goals_add_grazing(struct optimize_job *job, struct goals *goals)
         has_rays = has_rays || (operand_type(all[i].kind)->is & OPERAND_TRACES) != 0;
         has_grazing = has_grazing || all[i].kind == OPERAND_GRAZING;
     }
-    if (has_rays && !has_grazing) {
+    if (has_rays && !has_grazing && !optimize_usual_is_off(job->input, "grazing")) {
         all[goals->count++] = grazing;
         goals->list = all;
         job->guards = true;
@@ -245,8 +166,14 @@ static bool optimize_open(struct optimize_job *job, struct merit_question *quest
         job->goals = arena_printf(arena, "%s%s%.*s", i > 0 ? job->goals : "", i > 0 ? ", " : "",
                                   (int)text.length, text.start);
     }
+    if (!optimize_usual_check(input, job->goals != NULL, error)) {
+        return false;
+    }
     if (job->goals == NULL) {
-        job->goals = usual_goals(job, question);
+        job->goals = optimize_usual_goals(job, question);
+    }
+    if (job->goals[0] == '\0' && input->no_goal != NULL) {
+        return fail(error, ERROR_USAGE, "{--no-goal} leaves no goal");
     }
     if (!(is_own ? goals_of_lens(&reader, lens, &goals, error)
                  : goals_read(&reader, text_of(job->goals), &goals, error)) ||

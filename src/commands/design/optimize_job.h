@@ -25,7 +25,7 @@ enum optimize_show {
 struct optimize_input {
     struct lens_question question;
     struct spectrum_value waves;
-    const char *vary, *hold, *goals, *glasses, *plates, *grade, *tolerances;
+    const char *vary, *hold, *goals, *no_goal, *glasses, *plates, *grade, *tolerances;
     const char *start; /* words of a lens from nothing; null: from the lens */
     int show, solver, aim, pattern;
     long rays, seed, iterations; /* iterations: 0 = as many as it takes */
@@ -109,6 +109,30 @@ struct optimize_about {
 
 /* Of the first row of a sheet with what is doubtful. */
 struct optimize_about optimize_about_of(const struct optimize_job *job, bool is_first);
+
+/* -------- goals where none is given -------- */
+
+/*
+ * What is wanted where nothing is said, in words that --goals takes, but for what --no-goal names.
+ *
+ * Formula   poly; in each position the focal length that is stated, or else its own; the f-number
+ *           that is stated, where the aperture does not have it anyway; the image behind the last
+ *           vertex; no glass and no gap thinner than so much of the shortest focal length, or than
+ *           the thinnest that is there. What cannot be told, and an image in front of the last
+ *           vertex that the lens begins with, is left out
+ */
+const char *optimize_usual_goals(struct optimize_job *job, const struct merit_question *question);
+
+/* Is a goal named by --no-goal? */
+bool optimize_usual_is_off(const struct optimize_input *input, const char *name);
+
+/*
+ * Read --no-goal.
+ *
+ * Given     has_own  goals are given, of which none is usual but grazing
+ * Errors    ERROR_USAGE: a name that is none of a usual goal; goals are given
+ */
+bool optimize_usual_check(const struct optimize_input *input, bool has_own, struct error *error);
 
 /* After an answer: the lens that was found, how it ended, and what is doubtful about it. */
 bool optimize_judge(struct optimize_job *job, struct error *error);
