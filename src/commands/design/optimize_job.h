@@ -154,6 +154,9 @@ double optimize_wrong_by(const struct operand *operand, double value);
 double optimize_value_of(const struct optimize_state *state, const struct merit_slot *slot);
 double optimize_merit_of(const struct optimize_state *state, const struct merit_slot *slot);
 
+/* The position that a goal is of; null: there is one alone, or it compares several. */
+const char *optimize_position_of(const struct merit *merit, const struct merit_slot *slot);
+
 /* Is it what keeps rays from loss, that nobody asked for, and has nothing to say? */
 bool optimize_is_quiet(const struct optimize_job *job, const struct merit_slot *slot);
 

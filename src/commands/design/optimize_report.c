@@ -130,7 +130,7 @@ static struct text page_merit_lines(const struct optimize_job *job, struct arena
     for (size_t i = 0; i < merit->slot_count; i++) {
         const struct merit_slot *slot = &merit->slots[i];
         const struct optimize_state *before = &job->answer.before, *after = &job->answer.after;
-        const char *position = merit->places[slot->place].setup.position;
+        const char *position = optimize_position_of(merit, slot);
         if (optimize_is_quiet(job, slot)) {
             continue;
         }
@@ -140,7 +140,7 @@ static struct text page_merit_lines(const struct optimize_job *job, struct arena
         growing_format(&lines, "%-34s %12s %12s %-5s %12s %12s\n", name,
                        page_number(optimize_value_of(before, slot), arena),
                        page_number(optimize_value_of(after, slot), arena),
-                       operand_type(slot->operand->kind)->unit,
+                       operand_unit(slot->operand).label,
                        page_number(optimize_merit_of(before, slot), arena),
                        page_number(optimize_merit_of(after, slot), arena));
     }
@@ -246,13 +246,13 @@ static struct text page_binding_lines(const struct optimize_job *job, struct are
         const char *value = page_number(optimize_value_of(&job->answer.after, slot), arena);
         if (operand->relation == OPERAND_EXACT) {
             growing_format(&lines, "%-34s met exactly, %s %s\n", operand->name, value,
-                           operand_type(operand->kind)->unit);
+                           operand_unit(operand).label);
         } else if (operand->relation != OPERAND_NEAR && limited > 0) {
             growing_format(&lines, "%-34s at its limit%s, %s %s\n", operand->name,
                            slot->count > 1
                                ? arena_printf(arena, " %zu of %zu times", limited, slot->count)
                                : "",
-                           value, operand_type(operand->kind)->unit);
+                           value, operand_unit(operand).label);
         }
     }
     if (growing_done(&lines).length == 0) {

@@ -131,8 +131,7 @@ double optimize_value_of(const struct optimize_state *state, const struct merit_
     return unit_from_own(unit_find(unit.dimension, text_of(unit.unit)), worst);
 }
 
-/* The position that a goal is of; null: there is one alone, or it compares several. */
-static const char *optimize_position_of(const struct merit *merit, const struct merit_slot *slot)
+const char *optimize_position_of(const struct merit *merit, const struct merit_slot *slot)
 {
     const struct operand *operand = slot->operand;
     const bool compares = operand->kind == OPERAND_EXPRESSION &&
