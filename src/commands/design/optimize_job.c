@@ -166,16 +166,8 @@ static bool optimize_open(struct optimize_job *job, struct merit_question *quest
         job->goals = arena_printf(arena, "%s%s%.*s", i > 0 ? job->goals : "", i > 0 ? ", " : "",
                                   (int)text.length, text.start);
     }
-    if (!optimize_usual_check(input, job->goals != NULL, error)) {
-        return false;
-    }
-    if (job->goals == NULL) {
-        job->goals = optimize_usual_goals(job, question);
-    }
-    if (job->goals[0] == '\0' && input->no_goal != NULL) {
-        return fail(error, ERROR_USAGE, "{--no-goal} leaves no goal");
-    }
-    if (!(is_own ? goals_of_lens(&reader, lens, &goals, error)
+    if (!optimize_usual_open(job, question, error) ||
+        !(is_own ? goals_of_lens(&reader, lens, &goals, error)
                  : goals_read(&reader, text_of(job->goals), &goals, error)) ||
         !check_used(question, &goals, error)) {
         return false;

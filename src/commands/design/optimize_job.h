@@ -115,24 +115,20 @@ struct optimize_about optimize_about_of(const struct optimize_job *job, bool is_
 /*
  * What is wanted where nothing is said, in words that --goals takes, but for what --no-goal names.
  *
+ * Given     job->goals  those that are given, or of the lens; null receives the usual ones
  * Formula   poly; in each position the focal length that is stated, or else its own; the f-number
  *           that is stated, where the aperture does not have it anyway; the image behind the last
  *           vertex; no glass and no gap thinner than so much of the shortest focal length, or than
  *           the thinnest that is there. What cannot be told, and an image in front of the last
  *           vertex that the lens begins with, is left out
+ * Errors    ERROR_USAGE: a name in --no-goal that is none of a usual goal, or that is not grazing
+ *           where goals are given; nothing is left
  */
-const char *optimize_usual_goals(struct optimize_job *job, const struct merit_question *question);
+bool optimize_usual_open(struct optimize_job *job, const struct merit_question *question,
+                         struct error *error);
 
 /* Is a goal named by --no-goal? */
 bool optimize_usual_is_off(const struct optimize_input *input, const char *name);
-
-/*
- * Read --no-goal.
- *
- * Given     has_own  goals are given, of which none is usual but grazing
- * Errors    ERROR_USAGE: a name that is none of a usual goal; goals are given
- */
-bool optimize_usual_check(const struct optimize_input *input, bool has_own, struct error *error);
 
 /* After an answer: the lens that was found, how it ended, and what is doubtful about it. */
 bool optimize_judge(struct optimize_job *job, struct error *error);

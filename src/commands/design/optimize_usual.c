@@ -23,7 +23,8 @@ bool optimize_usual_is_off(const struct optimize_input *input, const char *name)
     return is_off;
 }
 
-bool optimize_usual_check(const struct optimize_input *input, bool has_own, struct error *error)
+/* Names of --no-goal; has_own: goals are given, of which none is usual but grazing. */
+static bool usual_check(const struct optimize_input *input, bool has_own, struct error *error)
 {
     struct text rest = text_of(input->no_goal != NULL ? input->no_goal : "");
     while (rest.start != NULL && input->no_goal != NULL) {
@@ -146,9 +147,9 @@ static double usual_bound(double least, double usual)
 }
 
 /*
- * The image behind the last vertex, along the light, as far as a gap is wide. Of a far object that is focused paraxially it
- * is the share of the focal length that counts, the height of the marginal ray there, as the back
- * focus itself has a pole where the lens has no power.
+ * The image behind the last vertex, along the light, as far as a gap is wide. Of a far object that
+ * is focused paraxially it is the share of the focal length that counts, the height of the marginal
+ * ray there, as the back focus itself has a pole where the lens has no power.
  */
 static void usual_add_back(struct usual_list *list, const struct optimize_job *job,
                            const struct merit_question *question, double focal)
@@ -186,7 +187,7 @@ static void usual_add_back(struct usual_list *list, const struct optimize_job *j
     }
 }
 
-const char *optimize_usual_goals(struct optimize_job *job, const struct merit_question *question)
+static const char *usual_goals(struct optimize_job *job, const struct merit_question *question)
 {
     static const struct {
         const char *name;
@@ -220,4 +221,15 @@ const char *optimize_usual_goals(struct optimize_job *job, const struct merit_qu
         }
     }
     return list.words;
+}
+
+bool optimize_usual_open(struct optimize_job *job, const struct merit_question *question,
+                         struct error *error)
+{
+    if (!usual_check(job->input, job->goals != NULL, error)) {
+        return false;
+    }
+    job->goals = job->goals != NULL ? job->goals : usual_goals(job, question);
+    return job->goals[0] != '\0' || job->input->no_goal == NULL ||
+           fail(error, ERROR_USAGE, "{--no-goal} leaves no goal");
 }
