@@ -86,6 +86,7 @@ static const char style[] =
     "figure.wide { column-span: all; }\n"
     "figcaption { font-weight: bold; }\n"
     ".pair { column-span: all; display: grid; grid-template-columns: 1fr 1fr; gap: 2em; }\n"
+    ".pair figure { min-width: 0; }\n"
     "pre { overflow-x: auto; font-size: 80%; }\n"
     "code { color: #666; font-weight: normal; font-size: 80%; }\n"
     "@media print { body { margin: 0; } pre { font-size: 55%; white-space: pre; } }\n";
