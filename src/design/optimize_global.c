@@ -288,6 +288,9 @@ static void optimize_global_work(void *context, const struct parallel_piece *pie
         if (global_search_start(searching, k, &own, piece->arena, &result)) {
             global->results[k] = result;
             global_count(global, &result);
+            if (global->found != NULL && result.count > 0) {
+                global->found(global->context, k);
+            }
             watch_add(global->watch, 1);
         }
         arena_free(&own);

@@ -35,6 +35,8 @@ struct optimize_global {
     struct watch *watch;            /* counts starts */
     bool (*goes_on)(void *context); /* asked by all threads, once an iteration; or null */
     void (*pause)(void *context);   /* by one, now and then while no other works; or null */
+    /* By all threads, when a start has led to lenses: its result is there. Or null */
+    void (*found)(void *context, size_t start);
     void *context;
     size_t start_count;
     struct global_result *results; /* of the starts; what is done is not searched again */

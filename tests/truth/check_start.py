@@ -6,12 +6,18 @@ What is asked for has to be there: the focal length, the f-number, the field, th
 room between elements, the track; and spots that a designer of that kind of lens would keep. The
 limits are those of published lenses of the same elements, at the same focal length: of a triplet
 the Zemax sample, f/5 and 20 deg, 24 um in its corner, here at f/4.
+
+A search without an end is killed: the file of its best lens is there, whole, with a note; and it is
+interrupted, or its time is up, and answers with the best.
 """
 # SPDX-License-Identifier: MIT
 
 import math
 import os
+import signal
+import subprocess
 import sys
+import time
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
@@ -156,6 +162,32 @@ def judge(checks, words, path, most):
         checks.check(rms < most, "%s: spot %.3g um at %g of the field" % (words, rms, share))
 
 
+def check_endless(checks, program):
+    """--global many, until it is killed, interrupted, or the time is up."""
+    words = "optimize --start elements=2,efl=100mm,fnumber=8,field=2deg --global many --rays 9"
+    for name, end in (("killed", signal.SIGKILL), ("ended", signal.SIGINT), ("timed", None)):
+        path = os.path.join(program.holder.name, name + ".lens")
+        more = " --keep 1 -o " + path + (" --seconds 0.5" if end is None else "")
+        process = subprocess.Popen(program.command + (words + more).split(),
+                                   env=program.environment(), stdout=subprocess.PIPE,
+                                   stderr=subprocess.PIPE)
+        until = time.monotonic() + 60
+        while end is not None and not os.path.exists(path) and time.monotonic() < until:
+            time.sleep(0.02)
+        if end is not None:
+            process.send_signal(end)
+        _, said = process.communicate(timeout=60)
+        if end is None and b"before any start came to its end" in said:
+            continue  # a busy machine
+        wanted = {"killed": -signal.SIGKILL, "ended": 1, "timed": 0}[name]
+        checks.check(process.returncode == wanted, "%s: status %d: %s" % (name, process.returncode,
+                                                                          said))
+        text = open(path, encoding="utf-8").read() if os.path.exists(path) else ""
+        checks.check(("incomplete" in text) == (end is not None), "%s: note in %s" % (name, text))
+        focal = paraxial(read_lens(path)[0])[0] if text else math.nan
+        checks.check(abs(focal - 100) < 1, "%s: focal length %g" % (name, focal))
+
+
 def main():
     program = Program(sys.argv[1])
     checks = Checks()
@@ -170,6 +202,7 @@ def main():
             text[threads] = open(path, encoding="utf-8").read()
         checks.check(text[1] == text[2], "%s: threads make another lens" % words)
         judge(checks, words, path, most)
+    check_endless(checks, program)
     return checks.finish()
 
 

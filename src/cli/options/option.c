@@ -328,6 +328,10 @@ static bool count_value_read(const struct reader *reader, const struct option *o
     const double most = 1e9; /* where no range is said */
     (void)reader;
     double value;
+    if (option->most != NULL && text_equal(text, option->most)) {
+        *(long *)member = (long)option->highest;
+        return true;
+    }
     if (!quantity_read(text, &dimension_number, NULL, &value, NULL, error)) {
         return option_blame(option, text, error);
     }

@@ -341,18 +341,19 @@ struct option {
     double lowest, highest;            /* in the program's own unit; both 0 = any value */
     double usual[2];                   /* values outside are doubted; both 0 = none is */
     const char *unusual;               /* in which words: "no lens in air is faster than f/0.5" */
-    const char *no_number;             /* said to who types a word for the number; null = nothing */
+    const char *most;      /* of a count: a word for its highest value, "many"; null = none */
+    const char *no_number; /* said to who types a word for the number; null = nothing */
     unsigned flags;
     /* It says something only beside a value of a circle of confusion for which this holds. */
     bool (*serves)(const struct coc_value *coc);
     const char *served; /* such a value in words: "print" */
     /* What this one says nothing without, one of several: "lens|coc=airy", "pattern!=few". */
     const char *wants;
-    const char *excludes;     /* options beside which one of both says nothing: "coc trail" */
-    const char *why;          /* they do: "raw numbers have no white balance"; null = plainly */
-    const char *fallback;     /* what it is if not given, as it would be typed; null = absent */
+    const char *excludes; /* options beside which one of both says nothing: "coc trail" */
+    const char *why;      /* they do: "raw numbers have no white balance"; null = plainly */
+    const char *fallback; /* what it is if not given, as it would be typed; null = absent */
     const char *bare; /* what it is if given without a number behind it; null: it needs a value */
-    const struct word *words; /* of a choice: the place in the list is the value */
+    const struct word *words;                /* of a choice: the place in the list is the value */
     const struct word *(*word_at)(size_t i); /* the same from a list that is kept elsewhere */
     file_types *types; /* how the name of a file may end; null = as it likes */
     /* Is a text what it may be? Its message names no option. Null: any is. */

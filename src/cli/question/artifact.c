@@ -102,19 +102,22 @@ static bool check_scope(const struct artifact_job *job, const struct artifact_se
            fail(error, ERROR_USAGE, "--%s draws a single row, but this answer has several", name);
 }
 
-/* Of several files the one by this number from 0: "night.png" becomes "night-01.png". */
-static const char *numbered(const struct artifact_job *job, size_t number, struct arena *arena)
+const char *artifact_path(const char *path, size_t files, size_t number, struct arena *arena)
 {
-    const char *path = job->path;
-    if (job->files == 1) {
+    if (files == 1) {
         return path;
     }
     const char *slash = strrchr(path, '/'), *dot = strrchr(path, '.');
     const bool has_ending = dot != NULL && (slash == NULL || dot > slash);
     const char *ending = has_ending ? dot : path + strlen(path);
-    const int digits = 1 + (job->files > 9) + (job->files > 99);
+    const int digits = 1 + (files > 9) + (files > 99);
     return arena_printf(arena, "%.*s-%0*zu%s", (int)(ending - path), path, digits, number + 1,
                         ending);
+}
+
+static const char *numbered(const struct artifact_job *job, size_t number, struct arena *arena)
+{
+    return artifact_path(job->path, job->files, number, arena);
 }
 
 /* An artifact that writes this file already; null: none does. */

@@ -165,6 +165,9 @@ bool artifacts_close(struct artifacts *artifacts, bool keep, struct error *error
  */
 bool artifact_spares(const struct artifact_job *job, const char *path, struct error *error);
 
+/* Of several files the one by this number from 0: "night.png" becomes "night-01.png". */
+const char *artifact_path(const char *path, size_t files, size_t number, struct arena *arena);
+
 /* What they have to say on standard error: of lines that are alike the first. */
 struct text artifacts_remarks(const struct artifacts *artifacts, struct arena *arena);
 

@@ -80,10 +80,10 @@ static const struct option options[] = {
      .highest = PARALLEL_MOST, .value = "N", .fallback = "1", .flags = OPTION_ASIDE,
      .wants = "glasses|global|start",
      .help = "threads that try glasses, or search from starts; 0 = one per core"},
-    {OPTION(struct optimize_input, global), .name = "global", .lowest = 1, .highest = 1e6,
-     .value = "COUNT",
+    {OPTION(struct optimize_input, global), .name = "global", .lowest = 1,
+     .highest = OPTIMIZE_MOST_STARTS, .most = "many", .value = "COUNT",
      .help = "search from so many starts between the bounds of what varies: the lens itself, and "
-             "others all over"},
+             "others all over; many: until --seconds are over, or it is interrupted"},
     {OPTION(struct optimize_input, keep), .name = "keep", .lowest = 1, .highest = 1000,
      .value = "COUNT", .wants = "global|start",
      .help = "the best different lenses that are kept: NEW-1.lens, NEW-2.lens, ...; default 1, "

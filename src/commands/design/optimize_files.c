@@ -218,7 +218,8 @@ struct lens optimize_lens_written(const struct optimize_job *done)
     const char *goals = done->input->goals;
     struct lens lens = *done->found;
     design_note_source(&lens, "optimized from", arena);
-    if (goals != NULL && lens.goal_count > 0) { /* they take the place of the lens's own */
+    if (goals != NULL && lens.goal_count > 0 && done->start == NULL) {
+        /* they take the place of the lens's own */
         char *words = arena_printf(arena, "%s", goals);
         for (char *at = words; *at != '\0'; at++) {
             *at = (char)(*at < ' ' ? ' ' : *at); /* it is one line */

@@ -22,6 +22,9 @@ enum optimize_show {
     OPTIMIZE_SHOWS
 };
 
+/* Of a search: as many as --global many, which goes on until time or a signal ends it. */
+enum { OPTIMIZE_MOST_STARTS = 1000000 };
+
 struct optimize_input {
     struct lens_question question;
     struct spectrum_value waves;
@@ -54,7 +57,7 @@ struct optimize_job {
     const struct glass_candidate *glasses; /* of --glasses */
     size_t glass_count;
     const struct glass_choice *choice; /* what they were used for; null: there are none */
-    struct test_plate *plates; /* of --test-plates */
+    struct test_plate *plates;         /* of --test-plates */
     size_t plate_count;
     const struct plate_choice *fitted; /* to them; null: there are none */
     const char *unfitted;              /* radii that are not, and why; null: all are */
@@ -67,6 +70,7 @@ struct optimize_job {
     /* of --global */
     const char *search; /* in words; null: there is none */
     struct optimize_global *global;
+    struct optimize_best *best;         /* of --output while it goes on; null: nobody wants it */
     const struct optimize_start *start; /* of --start; null: the lens is given */
     struct optimize_job *layouts;       /* of it, each with a lens of its own */
     size_t layout_count;
@@ -270,11 +274,20 @@ bool optimize_job_run(struct optimize_job *job, struct error *error);
  */
 bool optimize_start_open(struct optimize_job *job, struct error *error);
 
+/* The lens, variables and merit of the layout that a start has; nothing without --start. */
+void optimize_start_layout(struct optimize_job *one, size_t start);
+
 /* optimize_global.place, of the job: a layout by third-order theory (design/predesign.h). */
 bool optimize_start_place(void *context, size_t number, struct arena *arena, double *numbers);
 
 /* How many starts are searched from: of --global, or those of --start. */
 size_t optimize_start_count(const struct optimize_input *input);
+
+/* -------- the best lens while the search goes on -------- */
+
+/* Where --output names a file it holds the best lens from the first that is found on, with a note;
+   the end puts another in its place. Before the search. */
+void optimize_best_open(struct optimize_job *job);
 
 /* With --global, whose merit is that of the question. */
 bool optimize_search(struct optimize_job *job, const struct merit_question *question,

@@ -14,26 +14,6 @@
 /* Of the few lenses that are kept; where there is no time left, fewer. */
 enum { LAST_ITERATIONS = 1000, CUT_ITERATIONS = 50, SAVED_EVERY = 30 /* s */ };
 
-enum { USUAL_STARTS = 100, USUAL_KEPT = 10 /* of --start */ };
-
-size_t optimize_start_count(const struct optimize_input *input)
-{
-    return input->global == 0 && input->start != NULL ? USUAL_STARTS : (size_t)input->global;
-}
-
-size_t optimize_keep_count(const void *data)
-{
-    const struct optimize_input *input = data;
-    if (input->keep > 0) {
-        return (size_t)input->keep;
-    }
-    if (input->start == NULL) {
-        return 1;
-    }
-    const size_t starts = optimize_start_count(input);
-    return starts < USUAL_KEPT ? starts : USUAL_KEPT;
-}
-
 /* Once an iteration, from any thread. */
 static bool optimize_search_goes_on(void *context)
 {
@@ -189,16 +169,10 @@ static size_t descend_last(struct optimize_job *job, size_t most, struct global_
     return count;
 }
 
-/* The layout that a start has; there was no lens before. */
-static void search_take_layout(struct optimize_job *one, size_t start)
+/* There was no lens before. */
+static void search_drop_before(struct optimize_job *one)
 {
-    const struct optimize_job *layout = &one->layouts[start % one->layout_count];
     struct optimize_state *before = &one->answer.before;
-    one->input = layout->input;
-    one->lens = layout->lens;
-    one->variables = layout->variables;
-    one->goals = layout->goals;
-    one->merit = layout->merit;
     before->merit = NAN;
     for (size_t i = 0; i < one->merit.residual_count; i++) {
         before->residuals[i] = before->values[i] = NAN;
@@ -230,8 +204,9 @@ static size_t list_kept(struct optimize_job *job, const struct global_kept *kept
         *one = *job;
         one->warning = NULL;
         one->answer = kept[i].answer;
+        optimize_start_layout(one, kept[i].start);
         if (job->start != NULL) {
-            search_take_layout(one, kept[i].start);
+            search_drop_before(one);
         }
         one->found = variables_lens(&one->variables, kept[i].answer.after.numbers, job->run->arena);
         one->hits = (long)kept[i].hits;
@@ -319,7 +294,8 @@ static size_t run_starts(struct optimize_job *job, size_t all)
     for (size_t k = global->begin; k < global->end; k++) {
         left -= global->results[k].is_done;
     }
-    watch_begin(watch, "starts", left);
+    /* nobody knows how many there will be where time or a signal ends it */
+    watch_begin(watch, "starts", global->start_count < OPTIMIZE_MOST_STARTS ? left : 0);
     watch_tell(watch, optimize_global_tell, global);
     optimize_global_search(global, arena);
     if (job->state_path != NULL && watch_is_ended(watch)) {
@@ -431,6 +407,7 @@ bool optimize_search(struct optimize_job *job, const struct merit_question *ques
     /* half of the time is for glasses and plates */
     const bool is_shared = input->glasses != NULL || input->plates != NULL;
     job->until = begun + (is_shared ? seconds / 2 : seconds);
+    optimize_best_open(job);
     global->pause = job->state_path != NULL ? keep_state : NULL;
     const size_t all = job->run->parts != NULL ? global->start_count : global->end - global->begin;
     const size_t done = run_starts(job, all);

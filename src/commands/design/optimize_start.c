@@ -184,6 +184,31 @@ static double start_rounded(double value)
     return round(value / step) * step;
 }
 
+/* -------- how many -------- */
+
+enum { USUAL_STARTS = 100, USUAL_KEPT = 10 /* of --start */ };
+
+size_t optimize_start_count(const struct optimize_input *input)
+{
+    if (input->global > 0 || input->start == NULL) {
+        return (size_t)input->global;
+    }
+    return isnan(input->seconds) ? USUAL_STARTS : OPTIMIZE_MOST_STARTS;
+}
+
+size_t optimize_keep_count(const void *data)
+{
+    const struct optimize_input *input = data;
+    if (input->keep > 0) {
+        return (size_t)input->keep;
+    }
+    if (input->start == NULL) {
+        return 1;
+    }
+    const size_t starts = optimize_start_count(input);
+    return starts < USUAL_KEPT ? starts : USUAL_KEPT;
+}
+
 /* -------- a lens file -------- */
 
 static void start_put_wavelengths(const struct optimize_job *job, struct text_buffer *head)
@@ -382,6 +407,19 @@ bool optimize_start_open(struct optimize_job *job, struct error *error)
         job->layouts[job->layout_count++].input = input;
     }
     return true;
+}
+
+void optimize_start_layout(struct optimize_job *one, size_t start)
+{
+    if (one->start == NULL) {
+        return;
+    }
+    const struct optimize_job *layout = &one->layouts[start % one->layout_count];
+    one->input = layout->input;
+    one->lens = layout->lens;
+    one->variables = layout->variables;
+    one->goals = layout->goals;
+    one->merit = layout->merit;
 }
 
 bool optimize_start_place(void *context, size_t number, struct arena *arena, double *numbers)
