@@ -180,18 +180,19 @@ static bool easing_open_most(struct easing *easing, double pupil, struct error *
     return false;
 }
 
-/* A step more of everything, or of one part, as small as need be. */
-static bool easing_step(struct easing *easing)
+/* A step more of the first parts of a share together, or of one of them, as small as need be. */
+static bool easing_step(struct easing *easing, struct easing_share from, int parts)
 {
-    const struct easing_share from = easing->share;
-    struct easing_share all;
+    struct easing_share all = from;
     struct error ignored;
     for (; easing->step >= least_step; easing->step /= 2) {
-        for (int i = 0; i < EASING_PARTS; i++) {
+        bool found = false;
+        for (int i = 0; i < parts; i++) {
             all.of[i] = fmin(1, from.of[i] + easing->step);
+            found = found || all.of[i] > from.of[i]; /* there is more */
         }
-        bool found = easing_try(easing, all, &ignored);
-        for (int i = 0; i < EASING_PARTS && !found; i++) {
+        found = found && easing_try(easing, all, &ignored);
+        for (int i = 0; i < parts && !found; i++) {
             struct easing_share one = from;
             one.of[i] = all.of[i];
             found = one.of[i] > from.of[i] && easing_try(easing, one, &ignored);
@@ -208,10 +209,15 @@ static bool easing_step(struct easing *easing)
 /* More of aperture and field, with vignetting. */
 static bool easing_vignette(struct easing *easing)
 {
+    struct easing_share from = easing->share;
     struct error ignored;
     for (size_t i = 0; i < sizeof vignetted / sizeof vignetted[0]; i++) {
-        if (vignetted[i] < easing->share.of[PART_PUPIL_AT_EDGE] &&
-            easing_open_most(easing, vignetted[i], &ignored)) {
+        if (!(vignetted[i] < easing->share.of[PART_PUPIL_AT_EDGE])) {
+            continue;
+        }
+        from.of[PART_PUPIL_AT_EDGE] = vignetted[i];
+        if (easing_open_most(easing, vignetted[i], &ignored) ||
+            easing_step(easing, from, PART_PUPIL_AT_EDGE)) {
             return true;
         }
     }
@@ -327,8 +333,9 @@ static bool easing_go_on(struct easing *easing)
     struct error ignored;
     return easing_open_most(easing, is_whole ? easing->share.of[PART_PUPIL_AT_EDGE] : 1,
                             &ignored) ||
-           (is_whole && (easing_step(easing) || easing_vignette(easing) ||
-                         (easing_free(easing) && easing_try(easing, easing->share, &ignored))));
+           (is_whole &&
+            (easing_step(easing, easing->share, EASING_PARTS) || easing_vignette(easing) ||
+             (easing_free(easing) && easing_try(easing, easing->share, &ignored))));
 }
 
 /* With what it is begun. */
