@@ -193,6 +193,8 @@ static const struct explanation explanations[] = {
 static const struct example examples[] = {
     {"optimize double-gauss --vary all-R --goals spot,efl=100",
      "all radii, for small spots of each wavelength"},
+    {"optimize double-gauss --vary all-R --goals spot,efl=100 --report page.html",
+     "with a page that shows start and end side by side"},
     {"optimize double-gauss --vary all-R --goals spot,efl==100 --show merit",
      "goal by goal, the focal length exactly"},
     {"optimize cooke-triplet-50 --vary all-R,t2,t4 --goals poly,efl=50 --rays 12 --global 4",
