@@ -39,7 +39,8 @@ static const struct option options[] = {
     {OPTION(struct optimize_input, hold), .name = "hold", .value = "PARTS",
      .help = "variables that are held: R3,t5"},
     {OPTION(struct optimize_input, goals), .name = "goals", .value = "GOALS",
-     .help = "what is wanted: spot, poly, efl=100, 'bfl@F>38:0.02', 'edge 1..11 > 1', mtf@40/mm=1; "
+     .help = "what is wanted: spot, poly, efl=100, 'bfl@F>38:0.02', 'edge 1..11 > 1', mtf@40/mm=1, "
+             "'length + bfl < 60'; "
              "== for what "
              "is met exactly; otherwise the goals in the lens, or usual ones"},
     {OPTION(struct optimize_input, no_goal), .name = "no-goal", .value = "NAMES",

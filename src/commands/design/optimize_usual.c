@@ -154,7 +154,8 @@ static double usual_bound(double least, double usual)
 static void usual_add_back(struct usual_list *list, const struct optimize_job *job,
                            const struct merit_question *question, double focal)
 {
-    const struct lens *lens = lens_at_position(job->lens, 0, list->arena);
+    const struct lens *lens = lens_at_position(
+        job->lens, question->position_count > 0 ? question->positions[0] : 0, list->arena);
     const struct surface *last = &lens->surfaces[lens->surface_count - 1];
     const bool is_table = lens->focus == FOCUS_TABLE;
     struct first_order first;
