@@ -150,7 +150,7 @@ VALUES = {
     "show/fit": "residuals", "distortion": "0", "match": "rays", "prescription": "efl=99",
     "vary": "R2", "glass/fit": "../indices.csv", "formula": "cauchy", "name": "OTHER",
     "map/fit": "map.svg", "object/fit": "2m", "field/fit": "0,5,10", "hold": "R1", "goals": "efl=99",
-    "no-goal": "grazing",
+    "no-goal": "edge",
     "grade": "commercial", "tolerances": "../tolerances.txt", "glasses": "SCHOTT",
     "test-plates": "../plates.tsv", "set-diameters": "5", "solver": "ceres", "iterations": "3", "seconds": "100", "global": "2", "keep": "2",
     "start": "elements=1,efl=50,fnumber=8,field=5",
