@@ -321,8 +321,8 @@ static void test_benchmark(struct arena *arena)
         struct benchmark benchmark;
         struct error error = {.code = ERROR_NONE};
         CHECK(benchmark_run(&question, &work, &benchmark, &error));
-        int best = 0;
-        double least = INFINITY, pinhole = NAN, polynomial = NAN;
+        int best = 0, precise = 0;
+        double least = INFINITY, pinhole = NAN, polynomial = NAN, exact = NAN;
         for (size_t i = 0; i < benchmark.count; i++) {
             const struct benchmark_way *way = &benchmark.ways[i];
             const bool is_exact = way->is_quadrature || way->is_wave || way->model == MODEL_EXACT;
@@ -331,6 +331,15 @@ static void test_benchmark(struct arena *arena)
             least = fmin(least, is_exact ? way->error : INFINITY);
             pinhole = way->model == MODEL_PINHOLE ? way->error : pinhole;
             polynomial = way->degree == 9 ? way->error : polynomial;
+            /* all instructions give the same bits; of sums more bits give the same to rounding */
+            if (way->model == MODEL_EXACT && way->set != SET_BEST) {
+                CHECK(isnan(exact) || way->error == exact);
+                exact = way->error;
+            } else if (way->model >= MODEL_EXACT_64) {
+                precise++;
+                CHECK(quantity == BENCHMARK_RAY ||
+                      fabs(way->error - exact) <= 1e-10 * benchmark.scale);
+            }
         }
         for (size_t i = 0; i < benchmark.count; i++) {
             const struct benchmark_way *way = &benchmark.ways[i];
@@ -342,7 +351,7 @@ static void test_benchmark(struct arena *arena)
             }
             best += way->is_best;
         }
-        CHECK(best >= 1);
+        CHECK(best >= 1 && precise == 2 && exact >= 0);
         CHECK(isnan(pinhole) || polynomial < 0.3 * pinhole);
         CHECK(least < 1e-6 * benchmark.scale);
         arena_free(&work);

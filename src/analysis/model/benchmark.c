@@ -284,17 +284,14 @@ static void benchmark_list_models(const struct benchmark_question *question,
                 (struct benchmark_way){.model = MODEL_POLYNOMIAL, .degree = degree, .rays = rays});
         }
     }
-    if (!is_ray) {
-        benchmark_add(benchmark, (struct benchmark_way){.model = MODEL_EXACT, .rays = rays});
-        return;
-    }
     for (enum instruction_set set = SET_SSE2; set <= SET_AVX512; set++) {
         if (instruction_set_works(set)) {
-            benchmark_add(benchmark, (struct benchmark_way){.model = MODEL_EXACT, .set = set});
+            benchmark_add(benchmark,
+                          (struct benchmark_way){.model = MODEL_EXACT, .set = set, .rays = rays});
         }
     }
     for (enum lens_model model = MODEL_EXACT_64; model <= MODEL_EXACT_113; model++) {
-        benchmark_add(benchmark, (struct benchmark_way){.model = model});
+        benchmark_add(benchmark, (struct benchmark_way){.model = model, .rays = rays});
     }
 }
 
@@ -509,7 +506,7 @@ bool benchmark_run(const struct benchmark_question *question, struct arena *aren
         if (!benchmark_judge(&work, benchmark, way, &runs[i], &why)) {
             way->why = arena_printf(arena, "%s", why.message);
             way->error = NAN;
-        } else if (way->model == MODEL_EXACT_113) {
+        } else if (way->model == MODEL_EXACT_113 && question->quantity == BENCHMARK_RAY) {
             way->error = ldexp(way[-1].error, -49); /* the same steps with 49 bits more */
         }
         way->digits = log10(benchmark->scale / way->error);
