@@ -162,14 +162,13 @@ static size_t bench_cheapest(const struct benchmark *benchmark, double wanted)
 
 /* "polynomial of degree 9 is the cheapest that keeps 1um" */
 static const char *bench_verdict(const struct bench_input *input, const struct benchmark *benchmark,
-                                 double wanted, struct arena *arena)
+                                 size_t cheapest, struct arena *arena)
 {
-    const size_t best = bench_cheapest(benchmark, wanted);
-    const struct benchmark_way *way = &benchmark->ways[best];
+    const struct benchmark_way *way = &benchmark->ways[cheapest];
     if (input->error == NULL) {
         return NULL;
     }
-    if (best == benchmark->count) {
+    if (cheapest == benchmark->count) {
         return arena_printf(arena, "none keeps %s, of those whose time is known", input->error);
     }
     const char *variant = bench_variant(way, arena);
@@ -194,8 +193,8 @@ static bool bench_emit(const struct bench_input *input, const struct lens_case *
 {
     const struct benchmark *benchmark = answer->benchmark;
     const bool is_number = bench_is_number(input);
-    const char *verdict = bench_verdict(input, benchmark, answer->wanted, run->arena);
     const size_t cheapest = bench_cheapest(benchmark, answer->wanted);
+    const char *verdict = bench_verdict(input, benchmark, cheapest, run->arena);
     const double unit = is_number ? 1 : 1000; /* um of mm */
     for (size_t i = 0; i < benchmark->count; i++) {
         const struct benchmark_way *way = &benchmark->ways[i];
