@@ -296,7 +296,8 @@ static bool first_order_radius_of(const struct first_order *all,
         *radius = value / 2;
     } else if (aperture->kind == APERTURE_FNUMBER) {
         if (all->is_afocal) {
-            return fail(error, ERROR_DOMAIN, "an afocal system has no f-number");
+            fail(error, ERROR_DOMAIN, "an afocal system has no f-number");
+            return error_hint(error, "in its file 'aperture epd 20' says how wide its beam is, mm");
         }
         *radius = fabs(all->rear_focal) / value / 2;
     } else {

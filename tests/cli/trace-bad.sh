@@ -30,6 +30,7 @@ lenscalc trace ./bare.lens -N 4
 printf 'lens telescope\nobject inf\naperture stop\nsurface 50 300 1.5 10 stop\nsurface -50 - air 30\n' > afocal.lens
 lenscalc trace ./afocal.lens --to image
 lenscalc trace ./afocal.lens --focus best
+lenscalc lens ./afocal.lens -N 4
 printf 'x,y\n0,1\n' | lenscalc trace double-gauss --batch - --csv
 # a field is answered by itself: a weight would be lost
 lenscalc trace double-gauss --field 0,10:2,14deg

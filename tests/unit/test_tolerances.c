@@ -8,11 +8,11 @@
 #include "lens_of.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 
 /* A single lens with a plane, and one of a glass without an Abbe number. */
 #define LENS                                                                                       \
     "surface 50 5 1.5/60 20\nsurface - 6 air 20\nsurface 70 4 1.6 24\nsurface -70 60 air 22\n"
-#define SHOP "build/unit/test_tolerances.shop"
 
 struct asked {
     struct arena arena;
@@ -86,14 +86,17 @@ static void test_marks(void)
     CHECK(asked.done && asked.all.count == 1);
     CHECK_TEXT(asked.assumed, "those of the lens");
     arena_free(&asked.arena);
-    FILE *file = fopen(SHOP, "w");
+    char shop[] = "/tmp/tolerances-test-XXXXXX", assumed[80];
+    const int descriptor = mkstemp(shop);
+    FILE *file = descriptor >= 0 ? fdopen(descriptor, "w") : NULL;
     CHECK(file != NULL && fputs("# ours\ntolerance t1 20um normal\n", file) >= 0 &&
           fclose(file) == 0);
-    ask("tolerance R1 1%\n" LENS, NULL, SHOP, &asked);
+    ask("tolerance R1 1%\n" LENS, NULL, shop, &asked);
     CHECK(asked.done && asked.all.count == 1 && amount_of(&asked, "t1") == 0.02);
-    CHECK_TEXT(asked.assumed, "those of " SHOP "; those of the lens are not used");
+    snprintf(assumed, sizeof assumed, "those of %s; those of the lens are not used", shop);
+    CHECK_TEXT(asked.assumed, assumed);
     arena_free(&asked.arena);
-    remove(SHOP);
+    remove(shop);
 }
 
 static void test_refused(void)
@@ -106,8 +109,8 @@ static void test_refused(void)
          ERROR_USAGE},
         {LENS, "gold", NULL, "there is no grade 'gold'", "see 'lenscalc list tolerances'",
          ERROR_USAGE},
-        {LENS, NULL, "build/unit/none", "cannot read build/unit/none: there is no such file", "",
-         ERROR_IO},
+        {LENS, NULL, "no-such-folder/none",
+         "cannot read no-such-folder/none: there is no such file", "", ERROR_IO},
         {LENS, NULL, NULL, "nothing of the lens has a tolerance",
          "give a grade, or lines 'tolerance R1 0.1% uniform' in the lens or in a file of their own",
          ERROR_DOMAIN},
