@@ -457,16 +457,24 @@ bool chief_newton(const struct aim *aim, double at[2])
     return miss <= 1e-9 * aim->stop_radius;
 }
 
+/*
+ * Grids from coarse to fine. One with four times the rays takes four times as long, of which rays
+ * that miss aspheres may be the most: no finer one than an answer may take.
+ */
 static bool find_anywhere(struct aim *aim, struct chief_region *region, struct error *error)
 {
+    enum { MOST_WORK = 4000000 };
     struct losses losses = {0};
-    for (size_t side = 16; side <= 512; side *= 2) {
+    size_t last = 0; /* work of the grid before */
+    for (size_t side = 16; side <= 512 && aim->sought + 4 * last <= MOST_WORK; side *= 2) {
+        const size_t before = aim->sought;
         double at[2];
         if (scan_grid(aim, region, side, at, &losses) && chief_newton(aim, at)) {
             aim->chief[0] = at[0];
             aim->chief[1] = at[1];
             return true;
         }
+        last = aim->sought - before;
     }
     return chief_refuse(aim, &losses, error);
 }
