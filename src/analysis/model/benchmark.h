@@ -66,8 +66,8 @@ struct benchmark {
  * Formula   the truth: of rays 113 bits, whose own error is that of 64 bits times 2^-49; of sums
  *           exact rays or waves by quadratures that were doubled until they stand, to 1e-9 or as
  *           far as they go. Models' rays of 64 and 113 bits are rounded once and added up in 53,
- *           where few rays leave more of a sum. Polynomials are fitted to other rays than those that judge them: of 16
- *           fields to the edge, Sobol's points of the stop
+ *           where few rays leave more of a sum. Polynomials are fitted to other rays than those
+ *           that judge them: of 16 fields to the edge, Sobol's points of the stop
  * Errors    as bundle_open and those that find the truth; a model that cannot be has a `why`
  */
 bool benchmark_run(const struct benchmark_question *question, struct arena *arena,
