@@ -104,8 +104,15 @@ static const double *cosines_of(size_t n, struct arena *arena)
     return cosines;
 }
 
-/* Drop the last terms along lines that are all below `least`; returns how many are left. */
-static size_t front_shorten(double *c, size_t lines, size_t points, double least)
+/*
+ * Drop the last terms along lines that are all below `least`; returns how many are left.
+ *
+ * Given     noise    what is no more than that is rounding
+ *           dropped  receives the root of the sum of their squares: the rms of what they make, or
+ *                    more
+ */
+static size_t front_shorten(double *c, size_t lines, size_t points, double least, double noise,
+                            double *dropped)
 {
     size_t left = 2;
     for (size_t i = 0; i < lines; i++) {
@@ -113,11 +120,18 @@ static size_t front_shorten(double *c, size_t lines, size_t points, double least
             left = fabs(c[i * points + j]) > least ? j + 1 : left;
         }
     }
+    double square = 0;
     for (size_t i = 0; i < lines; i++) {
-        for (size_t j = 0; j < left; j++) {
-            c[i * left + j] = c[i * points + j];
+        for (size_t j = 0; j < points; j++) {
+            const double term = c[i * points + j];
+            if (j < left) {
+                c[i * left + j] = term;
+            } else {
+                square += fabs(term) > noise ? term * term : 0;
+            }
         }
     }
+    *dropped = sqrt(square);
     return left;
 }
 
@@ -177,10 +191,13 @@ static double make_sheet(struct sheet_builder *making, double error, struct exit
         const bool hopeless = lines * points >= HOPELESS && !(off[0] + off[1] < 1);
         const bool again[2] = {more(off[0], error, &lines), more(off[1], error, &points)};
         if (hopeless || (!again[0] && !again[1])) {
+            double dropped[2];
+            const double sizes[2] = {fmax(least / (4 * PI), finest), least * c[1][0] / 2};
             *sheet = (struct exit_sheet){
-                tried[0], front_shorten(c[0], tried[0], tried[1], fmax(least / (4 * PI), finest)),
-                front_shorten(c[1], tried[0], tried[1], least * c[1][0] / 2), c[0], c[1]};
-            return off[0] + off[1];
+                tried[0], front_shorten(c[0], tried[0], tried[1], sizes[0], finest, &dropped[0]),
+                front_shorten(c[1], tried[0], tried[1], sizes[1], 0, &dropped[1]), c[0], c[1]};
+            /* what they are worth as in find_series */
+            return off[0] + off[1] + 4 * PI * dropped[0] + 2 * dropped[1] / c[1][0];
         }
         arena_reset(making->arena, mark);
     }
