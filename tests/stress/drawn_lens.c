@@ -24,6 +24,21 @@ static void drawn_lens_draw_shape(struct trial *trial, const struct drawn_scale 
         drawn_put(lens, i, DRAWN_A4, digits, bend / (h * h * h));
         drawn_put(lens, i, DRAWN_A6, digits, trial_between(trial, -0.5, 0.5) * bend / pow(h, 5));
     }
+    if (scale->odd > 0 && trial_chance(trial, scale->odd)) {
+        const double h = scale->height, bend = trial_between(trial, -0.03, 0.03);
+        drawn_put(lens, i, DRAWN_A3, digits, bend / (h * h));
+        drawn_put(lens, i, DRAWN_A5, digits, trial_between(trial, -0.5, 0.5) * bend / pow(h, 4));
+    }
+    if (scale->cylinders > 0 && trial_chance(trial, scale->cylinders)) {
+        lens->cylinder[i] = trial_chance(trial, 0.5) ? 'x' : 'y';
+    }
+    if (scale->breaks > 0 && trial_chance(trial, scale->breaks)) {
+        const double h = scale->height;
+        drawn_put(lens, i, DRAWN_BREAK_X, digits, trial_between(trial, -0.1, 0.1) * h);
+        drawn_put(lens, i, DRAWN_BREAK_Y, digits, trial_between(trial, -0.1, 0.1) * h);
+        drawn_put(lens, i, DRAWN_BREAK_TILT_X, digits, trial_between(trial, -8, 8));
+        drawn_put(lens, i, DRAWN_BREAK_TILT_Y, digits, trial_between(trial, -8, 8));
+    }
     if (trial_chance(trial, scale->tilts)) {
         const double h = scale->height;
         drawn_put(lens, i, DRAWN_DECENTER_X, digits, trial_between(trial, -0.1, 0.1) * h);
@@ -39,8 +54,9 @@ void drawn_lens_draw(struct trial *trial, const struct drawn_scale *scale, struc
     double way = 1, radius = 0;
     lens->count = (size_t)trial_whole(trial, (int)scale->least, (int)scale->most);
     lens->stop = (size_t)trial_whole(trial, 0, (int)lens->count - 1);
-    lens->diameter = 0;
     memset(lens->number, 0, lens->count * sizeof lens->number[0]);
+    memset(lens->cylinder, 0, lens->count);
+    memset(lens->clear, 0, lens->count * sizeof lens->clear[0]);
     for (size_t i = 0; i < lens->count; i++) {
         const bool mirror = trial_chance(trial, scale->mirrors);
         double R = trial_sign(trial) * trial_magnitude(trial, scale->radius[0], scale->radius[1]);
@@ -96,6 +112,13 @@ void quad_lens_of(const struct drawn_lens *drawn, struct quad_lens *lens)
                          drawn_quad(drawn, i, DRAWN_DECENTER_Y)},
             .tilt = {degree * drawn_quad(drawn, i, DRAWN_TILT_X),
                      degree * drawn_quad(drawn, i, DRAWN_TILT_Y)},
+            .A3 = drawn_quad(drawn, i, DRAWN_A3),
+            .A5 = drawn_quad(drawn, i, DRAWN_A5),
+            .break_decenter = {drawn_quad(drawn, i, DRAWN_BREAK_X),
+                               drawn_quad(drawn, i, DRAWN_BREAK_Y)},
+            .break_tilt = {degree * drawn_quad(drawn, i, DRAWN_BREAK_TILT_X),
+                           degree * drawn_quad(drawn, i, DRAWN_BREAK_TILT_Y)},
+            .weight = {drawn->cylinder[i] != 'y', drawn->cylinder[i] != 'x'},
             .reflects = n == 0,
         };
         before = lens->surfaces[i].n;
@@ -146,15 +169,29 @@ const char *drawn_lens_write(const struct drawn_lens *lens, struct arena *arena)
         const char(*number)[DRAWN_DIGITS] = lens->number[i];
         const bool plane = strcmp(number[DRAWN_RADIUS], "0") == 0;
         const bool mirror = strcmp(number[DRAWN_INDEX], "0") == 0;
+        if (number[DRAWN_BREAK_TILT_X][0] != '\0') {
+            at += sprintf(at, "bend decenter=%s,%s tilt=%s,%s,0\n", number[DRAWN_BREAK_X],
+                          number[DRAWN_BREAK_Y], number[DRAWN_BREAK_TILT_X],
+                          number[DRAWN_BREAK_TILT_Y]);
+        }
         at += sprintf(at, "surface %s %s %s ", plane ? "-" : number[DRAWN_RADIUS],
                       number[DRAWN_THICKNESS], mirror ? "mirror" : number[DRAWN_INDEX]);
-        at += i == lens->stop && lens->diameter > 0 ? sprintf(at, "%.17g", lens->diameter)
-                                                    : sprintf(at, "-");
-        static const char *const words[] = {"k", "A4", "A6"};
-        for (int j = 0; j < 3; j++) {
-            if (number[DRAWN_CONIC + j][0] != '\0') {
-                at += sprintf(at, " %s=%s", words[j], number[DRAWN_CONIC + j]);
+        at += lens->clear[i] > 0 ? sprintf(at, "%.17g", lens->clear[i]) : sprintf(at, "-");
+        static const struct {
+            const char *word;
+            enum drawn_number which;
+        } words[] = {{"k", DRAWN_CONIC},
+                     {"A4", DRAWN_A4},
+                     {"A6", DRAWN_A6},
+                     {"A3", DRAWN_A3},
+                     {"A5", DRAWN_A5}};
+        for (size_t j = 0; j < sizeof words / sizeof words[0]; j++) {
+            if (number[words[j].which][0] != '\0') {
+                at += sprintf(at, " %s=%s", words[j].word, number[words[j].which]);
             }
+        }
+        if (lens->cylinder[i] != '\0') {
+            at += sprintf(at, " cyl=%c", lens->cylinder[i]);
         }
         if (number[DRAWN_TILT_X][0] != '\0') {
             at += sprintf(at, " decenter=%s,%s tilt=%s,%s", number[DRAWN_DECENTER_X],

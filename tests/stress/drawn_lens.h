@@ -22,6 +22,12 @@ enum drawn_number {
     DRAWN_DECENTER_Y,
     DRAWN_TILT_X, /* degrees */
     DRAWN_TILT_Y,
+    DRAWN_A3,
+    DRAWN_A5,
+    DRAWN_BREAK_X, /* a coordinate break before it: its decentres and its tilts */
+    DRAWN_BREAK_Y,
+    DRAWN_BREAK_TILT_X,
+    DRAWN_BREAK_TILT_Y,
     DRAWN_NUMBERS
 };
 
@@ -29,8 +35,9 @@ enum drawn_number {
 struct drawn_lens {
     size_t count, stop;
     char number[DRAWN_MOST][DRAWN_NUMBERS][DRAWN_DIGITS]; /* "" is 0 and not written */
+    char cylinder[DRAWN_MOST];                            /* x, y: curved so; 0: all around */
     char object[DRAWN_DIGITS];                            /* "0" is infinitely far */
-    double diameter;                                      /* of the stop, mm; 0: none is written */
+    double clear[DRAWN_MOST];                             /* diameters, mm; 0: none is written */
 };
 
 /* How lenses are drawn: at random between two numbers, or with a probability. */
@@ -39,6 +46,7 @@ struct drawn_scale {
     double radius[2], thickness[2], index[2];
     double object[2];                                          /* finite distances */
     double planes, mirrors, air, far, conics, aspheres, tilts; /* how often */
+    double odd, cylinders, breaks;
     double height; /* that aspheres are gentle within, mm */
     bool folds;    /* thicknesses turn with mirrors, as light does */
     bool is_concentric;
@@ -53,14 +61,16 @@ void drawn_lens_make_afocal(struct trial *trial, struct drawn_lens *lens);
 const char *drawn_lens_write(const struct drawn_lens *lens, struct arena *arena);
 
 /* In numbers: everything that a sensitivity moves. The index of mirrors is that before them. */
-enum { QUAD_NUMBERS = 10 };
+enum { QUAD_NUMBERS = 16 };
 struct quad_surface {
     union {
         quad number[QUAD_NUMBERS];
         struct {
             quad c, t, n, k, A4, A6, decenter[2], tilt[2]; /* tilt in rad */
+            quad A3, A5, break_decenter[2], break_tilt[2]; /* the break before it */
         };
     };
+    quad weight[2]; /* of x^2 and y^2 in what stands for r^2: 1, of cylinders one of them 0 */
     bool reflects;
 };
 

@@ -44,7 +44,7 @@ static bool aim_trial_open(struct trial *trial, struct aim_trial *one)
     drawn_lens_draw(trial, &scale, &one->drawn);
     one->height = scale.height;
     one->radius = trial_magnitude(trial, 0.2, strong ? 25 : 8) * size;
-    one->drawn.diameter = 2 * one->radius;
+    one->drawn.clear[one->drawn.stop] = 2 * one->radius;
     one->is_meridional = trial_chance(trial, 0.6);
     const double widest = trial_chance(trial, 0.5) ? 0.3 : 1.2, d = strtod(one->drawn.object, NULL);
     const double field[2] = {one->is_meridional ? 0 : trial_between(trial, -widest, widest),

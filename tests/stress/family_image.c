@@ -1,102 +1,16 @@
 /* tests/stress/family_image.c - printed errors of spots against true ones; Zernike's terms fitted. */
 /* SPDX-License-Identifier: MIT */
-#include "drawn_lens.h"
+#include "image_trial.h"
 
 #include "analysis/rays/spot.h"
 #include "analysis/waves/wavefront.h"
-#include "file/lens_file.h"
 #include "trace/dispatch.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-/* A lens whose beam is as wide as its stop, at one field and one wavelength. */
-struct image_trial {
-    struct lens lens;
-    struct setup setup;
-};
-
-static bool image_trial_open(struct trial *trial, double radius, struct image_trial *one)
-{
-    static struct drawn_lens drawn;
-    const struct drawn_scale scale = {.least = 2,
-                                      .most = 8,
-                                      .radius = {30, 400},
-                                      .thickness = {0.5, 12},
-                                      .index = {1.4, 1.9},
-                                      .object = {200, 1e5},
-                                      .planes = 0.1,
-                                      .air = 0.5,
-                                      .far = 0.7,
-                                      .conics = 0.2,
-                                      .aspheres = 0.15,
-                                      .height = 10};
-    struct error error = {0};
-    drawn_lens_draw(trial, &scale, &drawn);
-    drawn.diameter = 2 * radius;
-    const bool far = strcmp(drawn.object, "0") == 0;
-    const char *surfaces = drawn_lens_write(&drawn, &trial->arena);
-    char *text = arena_array(&trial->arena, strlen(surfaces) + 200, 1);
-    sprintf(text, "wavelength d\naperture stop\nfield %s 0 %.6g\n%s", far ? "angle" : "height",
-            trial_between(trial, 0, far ? 12 : 30), surfaces);
-    trial->about = text;
-    const struct setup_question question = {.lens = &one->lens,
-                                            .wavelength = (double)NAN,
-                                            .fnumber = (double)NAN,
-                                            .field_policy = FIELDS_ALL};
-    const struct plane_value plane = {.kind = trial_chance(trial, 0.5) ? PLANE_PARAXIAL : PLANE_AT,
-                                      .distance = trial_between(trial, 5, 100)};
-    return lens_read("stress", text_of(text), NULL, &trial->arena, &one->lens, &error) &&
-           setup_open(&question, &trial->arena, &one->setup, &error) &&
-           setup_place_image(&one->setup, &plane, &error);
-}
-
 /* -------- spots -------- */
-
-/* Gauss's points and weights of 0..1 by Newton's method on Legendre's polynomials. */
-static void legendre(int count, double *x, double *w)
-{
-    for (int i = 0; i < count; i++) {
-        double t = cos(acos(-1) * (i + 0.75) / (count + 0.5)), slope = 1;
-        for (int turn = 0; turn < 60; turn++) {
-            double before = 1, here = t;
-            for (int k = 2; k <= count; k++) {
-                const double next = ((2 * k - 1) * t * here - (k - 1) * before) / k;
-                before = here;
-                here = next;
-            }
-            slope = count * (t * here - before) / (t * t - 1);
-            t -= here / slope;
-        }
-        x[i] = (1 - t) / 2;
-        w[i] = 1 / ((1 - t * t) * slope * slope);
-    }
-}
-
-/* What aiming leaves of a miss, up to 1e-9 of the radius: made up for by the chief's slopes. */
-static void refine(const struct aim *aim, const struct system *open,
-                   const struct pupil_point *points, size_t count, const struct rays *rays,
-                   struct arena *arena)
-{
-    const struct rays there = rays_new(arena, count);
-    const double *m = aim->slope, det = m[0] * m[3] - m[1] * m[2];
-    for (int turn = 0; turn < 4; turn++) {
-        memcpy(there.blocks, rays->blocks, rays_blocks(rays) * sizeof *rays->blocks);
-        rays_trace_part(open, 0, system_place(open, open->stop) + 1, &there, NULL);
-        for (size_t i = 0; i < count; i++) {
-            const struct ray start = rays_get(rays, i, open->index_first);
-            const struct ray_block *block = &there.blocks[i / RAYS_BLOCK];
-            const double x = points[i].x * aim->stop_radius - block->x[i % RAYS_BLOCK];
-            const double y = points[i].y * aim->stop_radius - block->y[i % RAYS_BLOCK];
-            double at[2];
-            beam_place(&aim->beam, start.point, at);
-            const struct ray next = beam_ray(&aim->beam, at[0] + (m[3] * x - m[1] * y) / det,
-                                             at[1] + (m[0] * y - m[2] * x) / det);
-            rays_set(rays, i, open->index_first, &next);
-        }
-    }
-}
 
 /* Means over the disc of x, y and their squares, about the chief ray; false: a ray is lost. */
 static bool spot_sum(const struct aim *aim, const struct system *system, int rings,
@@ -107,7 +21,7 @@ static bool spot_sum(const struct aim *aim, const struct system *system, int rin
     const int arms = 2 * rings + 3;
     const size_t count = (size_t)(rings * arms);
     struct pupil_point *points = ARENA_ARRAY(arena, count + 1, struct pupil_point);
-    legendre(rings, x, w);
+    image_legendre(rings, x, w);
     for (int i = 0; i < rings * arms; i++) {
         const double angle = 2 * acos(-1) * (i % arms + 0.3) / arms, r = sqrt(x[i / arms]);
         points[i] = (struct pupil_point){r * cos(angle), r * sin(angle), w[i / arms] / arms};
@@ -117,7 +31,7 @@ static bool spot_sum(const struct aim *aim, const struct system *system, int rin
     if (aim_rays(aim, points, count + 1, &rays) != count + 1) {
         return false;
     }
-    refine(aim, aim->system, points, count + 1, &rays, arena);
+    image_aim_closer(aim, points, count + 1, &rays, arena);
     rays_trace(system, &rays, NULL);
     const struct ray chief = rays_get(&rays, count, system->index_last);
     long double sums[4] = {0, 0, 0, 0};
@@ -147,7 +61,7 @@ void try_spot(struct trial *trial)
 {
     static struct image_trial one;
     struct error error = {0};
-    if (!image_trial_open(trial, trial_between(trial, 0.3, 8), &one)) {
+    if (!image_trial_open(trial, trial_between(trial, 0.3, 8), false, &one)) {
         trial_skip(trial); /* no image plane */
         return;
     }
@@ -188,7 +102,7 @@ void try_zernike_fit(struct trial *trial)
     enum { TERMS = 231, SIZE = 25 }; /* to the order 20 */
     static struct image_trial one;
     struct error error = {0};
-    if (!image_trial_open(trial, trial_between(trial, 0.3, 3), &one)) {
+    if (!image_trial_open(trial, trial_between(trial, 0.3, 3), false, &one)) {
         trial_skip(trial);
         return;
     }

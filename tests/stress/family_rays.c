@@ -22,7 +22,7 @@ struct ray_trial {
     double height; /* of what is about the axis, mm */
 };
 
-enum { KINDS = 9 };
+enum { KINDS = 9, BENT = 9 };
 static struct drawn_scale scale_of_kind(struct trial *trial, int kind)
 {
     const double size = trial_chance(trial, 0.4) ? trial_magnitude(trial, 1e-6, 1e6) : 1;
@@ -82,6 +82,15 @@ static struct drawn_scale scale_of_kind(struct trial *trial, int kind)
         scale.height = 30 * size;
         scale.most = 3;
         break;
+    case BENT: /* breaks of the axis, cylinders, odd aspheres */
+        scale.breaks = 0.3;
+        scale.cylinders = 0.3;
+        scale.odd = 0.3;
+        scale.conics = 0.3;
+        scale.aspheres = 0.1;
+        scale.tilts = 0.1;
+        scale.mirrors = 0.1;
+        break;
     default:
         scale.conics = 0.1;
         scale.index[1] = 4;
@@ -91,9 +100,11 @@ static struct drawn_scale scale_of_kind(struct trial *trial, int kind)
 }
 
 /* Draw a lens, compile it, and write it down in numbers; false: it cannot be, which is said. */
-static bool ray_trial_open(struct trial *trial, struct ray_trial *one, bool wants_image)
+static bool ray_trial_open(struct trial *trial, struct ray_trial *one, bool is_bent,
+                           bool wants_image)
 {
-    const struct drawn_scale scale = scale_of_kind(trial, trial_whole(trial, 0, KINDS - 1));
+    const struct drawn_scale scale =
+        scale_of_kind(trial, is_bent ? BENT : trial_whole(trial, 0, KINDS - 1));
     struct error error = {0};
     struct system_options options = system_options_default();
     drawn_lens_draw(trial, &scale, &one->drawn);
@@ -108,7 +119,8 @@ static bool ray_trial_open(struct trial *trial, struct ray_trial *one, bool want
     if (wants_image) {
         options.image = (double)last->t;
         one->numbers.surfaces[one->drawn.count - 1].t = (quad)options.image;
-        one->numbers.surfaces[one->drawn.count] = (struct quad_surface){.n = last->n};
+        one->numbers.surfaces[one->drawn.count] =
+            (struct quad_surface){.n = last->n, .weight = {1, 1}};
         one->numbers.count++;
     }
     return trial_verdict(
@@ -212,12 +224,12 @@ static bool is_at_border(const struct quad_lens *lens, const struct quad_questio
     return !quad_sensitivity(lens, question, sums) || margin < 64 * 0x1p-53 * (1 + sums[7]);
 }
 
-void try_rays(struct trial *trial)
+static void rays_try(struct trial *trial, bool is_bent)
 {
     static struct ray_trial one;
     struct ray start;
     struct quad_ray end;
-    if (!ray_trial_open(trial, &one, trial_chance(trial, 0.5))) {
+    if (!ray_trial_open(trial, &one, is_bent, trial_chance(trial, 0.5))) {
         return;
     }
     const bool arrives = draw_arriving(trial, &one, &start, &end);
@@ -250,6 +262,16 @@ void try_rays(struct trial *trial)
         const double off = (double)quad_size((quad)values[k] - truth[k]);
         trial_figure(trial, ray_names[k], off, (double)quad_size(truth[k]), sums[k]);
     }
+}
+
+void try_rays(struct trial *trial)
+{
+    rays_try(trial, false);
+}
+
+void try_bent_rays(struct trial *trial)
+{
+    rays_try(trial, true);
 }
 
 /* -------- derivatives -------- */
@@ -286,22 +308,22 @@ static bool derivative_find(const struct quad_lens *lens, const struct quad_nudg
     return true;
 }
 
-/* Each number of a quad_surface as the program knows it, and a size it is moved in parts of. */
+/* Each number of a quad_surface that derivatives are taken by, the first of which round lenses and
+   tilted ones have: as the program knows it, and a size it is moved in parts of. */
+enum { PLAIN_PARAMETERS = 10, ALL_PARAMETERS = 12, NUMBER_A3 = 10, NUMBER_A5 = 11 };
 static struct parameter parameter_of(size_t number, double height, quad *size)
 {
-    static const enum parameter_kind kinds[QUAD_NUMBERS] = {
-        PARAMETER_CURVATURE,   PARAMETER_THICKNESS,   PARAMETER_INDEX,      PARAMETER_CONIC,
-        PARAMETER_COEFFICIENT, PARAMETER_COEFFICIENT, PARAMETER_DECENTER_X, PARAMETER_DECENTER_Y,
-        PARAMETER_TILT_X,      PARAMETER_TILT_Y};
+    static const enum parameter_kind kinds[ALL_PARAMETERS] = {
+        PARAMETER_CURVATURE,   PARAMETER_THICKNESS,   PARAMETER_INDEX,       PARAMETER_CONIC,
+        PARAMETER_COEFFICIENT, PARAMETER_COEFFICIENT, PARAMETER_DECENTER_X,  PARAMETER_DECENTER_Y,
+        PARAMETER_TILT_X,      PARAMETER_TILT_Y,      PARAMETER_COEFFICIENT, PARAMETER_COEFFICIENT};
+    static const int orders[ALL_PARAMETERS] = {[4] = 4, [5] = 6, [NUMBER_A3] = 3, [NUMBER_A5] = 5};
     const size_t which = number % QUAD_NUMBERS;
     const quad h = (quad)height;
-    const quad sizes[QUAD_NUMBERS] = {1 / h, h, 1, 1, 1 / (h * h * h), 1 / (h * h * h * h * h),
-                                      h,     h, 1, 1};
+    const quad sizes[ALL_PARAMETERS] = {1 / h, h, 1, 1, 1 / (h * h * h), 1 / (h * h * h * h * h),
+                                        h,     h, 1, 1, 1 / (h * h),     1 / (h * h * h * h)};
     *size = sizes[which];
-    return (struct parameter){number / QUAD_NUMBERS, kinds[which],
-                              which == 4   ? 4
-                              : which == 5 ? 6
-                                           : 0};
+    return (struct parameter){number / QUAD_NUMBERS, kinds[which], orders[which]};
 }
 
 /* How far from the axis the ray meets a surface. */
@@ -356,31 +378,38 @@ static double sweep_share(const struct ray_trial *one, size_t number, double r)
     const struct quad_lens *front = &one->numbers;
     const size_t i = number / QUAD_NUMBERS;
     const double before = i > 0 ? (double)front->surfaces[i - 1].n : 1;
-    const double by[QUAD_NUMBERS] = {
-        [3] = pow((double)front->surfaces[i].c * r, 2), [4] = 4 * pow(r, 3), [5] = 6 * pow(r, 5)};
+    const double by[QUAD_NUMBERS] = {[3] = pow((double)front->surfaces[i].c * r, 2),
+                                     [4] = 4 * pow(r, 3),
+                                     [5] = 6 * pow(r, 5),
+                                     [NUMBER_A3] = 3 * pow(r, 2),
+                                     [NUMBER_A5] = 5 * pow(r, 4)};
     const double bend = front->surfaces[i].reflects ? 2 : (double)front->surfaces[i].n - before;
     return fabs(bend) * by[number % QUAD_NUMBERS];
 }
 
-void try_derivatives(struct trial *trial)
+static void derivatives_try(struct trial *trial, bool is_bent)
 {
     static struct ray_trial one;
     struct ray start;
     struct quad_ray end;
     quad size;
-    if (!ray_trial_open(trial, &one, true)) {
+    if (!ray_trial_open(trial, &one, is_bent, true)) {
         return;
     }
     if (!draw_arriving(trial, &one, &start, &end)) {
         trial_skip(trial);
         return;
     }
-    const size_t number = (size_t)trial_whole(trial, 0, QUAD_NUMBERS * (int)one.drawn.count - 1);
+    const int each = is_bent ? ALL_PARAMETERS : PLAIN_PARAMETERS;
+    const int drawn = trial_whole(trial, 0, each * (int)one.drawn.count - 1);
+    const size_t number = (size_t)(QUAD_NUMBERS * (drawn / each) + drawn % each);
     const double r = radius_at(&one, &start, number / QUAD_NUMBERS);
     const struct parameter parameter = parameter_of(number, fmax(r, one.height), &size);
     const struct quad_surface *surface = &one.numbers.surfaces[parameter.surface];
     const bool is_mirrored = surface->reflects || surface[1].reflects;
-    if (parameter.kind == PARAMETER_INDEX && is_mirrored) {
+    const bool is_odd = parameter.order % 2 != 0; /* only of surfaces that have such */
+    if ((parameter.kind == PARAMETER_INDEX && is_mirrored) ||
+        (is_odd && surface->number[number % QUAD_NUMBERS] == 0)) {
         trial_skip(trial); /* mirrors take the index before them along */
         return;
     }
@@ -415,6 +444,16 @@ void try_derivatives(struct trial *trial)
         }
         trial_figure(trial, output_names[k], off, (double)quad_size(truth[k]), sums[k]);
     }
+}
+
+void try_derivatives(struct trial *trial)
+{
+    derivatives_try(trial, false);
+}
+
+void try_bent_derivatives(struct trial *trial)
+{
+    derivatives_try(trial, true);
 }
 
 /* -------- optical path differences -------- */
@@ -480,12 +519,12 @@ static bool path_of(const struct ray_trial *one, const struct path_pair *pair,
     return true;
 }
 
-void try_paths(struct trial *trial)
+static void paths_try(struct trial *trial, bool is_bent)
 {
     static struct ray_trial one;
     struct beam beam;
     struct error error = {0};
-    if (!ray_trial_open(trial, &one, true)) {
+    if (!ray_trial_open(trial, &one, is_bent, true)) {
         return;
     }
     double height = one.height, W = NAN, sums[2][QUAD_FIGURES];
@@ -533,4 +572,14 @@ void try_paths(struct trial *trial)
         trial_figure(trial, "W", (double)quad_size((quad)W - truth[0]), (double)quad_size(truth[0]),
                      sums[0][0] + sums[1][0]);
     }
+}
+
+void try_paths(struct trial *trial)
+{
+    paths_try(trial, false);
+}
+
+void try_bent_paths(struct trial *trial)
+{
+    paths_try(trial, true);
 }

@@ -28,14 +28,15 @@ static void quad_turn_axes(quad v[3], int axis, quad angle)
     v[(axis + 2) % 3] = c * z - s * y;
 }
 
-static void quad_ray_into(struct quad_ray *ray, const struct quad_surface *surface)
+/* Into axes that are shifted, then turned about x and the new y. */
+static void quad_ray_into(struct quad_ray *ray, const quad shift[2], const quad turn[2])
 {
-    ray->x[0] -= surface->decenter[0];
-    ray->x[1] -= surface->decenter[1];
+    ray->x[0] -= shift[0];
+    ray->x[1] -= shift[1];
     for (int axis = 0; axis < 2; axis++) {
-        if (surface->tilt[axis] != 0) {
-            quad_turn_axes(ray->x, axis, surface->tilt[axis]);
-            quad_turn_axes(ray->d, axis, surface->tilt[axis]);
+        if (turn[axis] != 0) {
+            quad_turn_axes(ray->x, axis, turn[axis]);
+            quad_turn_axes(ray->d, axis, turn[axis]);
         }
     }
 }
@@ -52,33 +53,61 @@ static void quad_ray_out(struct quad_ray *ray, const struct quad_surface *surfac
     ray->x[1] += surface->decenter[1];
 }
 
+/* From behind the surface before into a surface's own axes, by way of a break of the axis. */
+static void quad_ray_to_axes(const struct quad_lens *lens, size_t i, struct quad_ray *ray)
+{
+    const struct quad_surface *surface = &lens->surfaces[i];
+    ray->x[2] -= i > 0 ? lens->surfaces[i - 1].t : 0;
+    quad_ray_into(ray, surface->break_decenter, surface->break_tilt);
+    quad_ray_into(ray, surface->decenter, surface->tilt);
+}
+
 /* z - sag and its gradient, (0, 0, 0) at the vertex; false beyond the conic. */
 static bool sag_gradient(const struct quad_surface *surface, const quad x[3], quad *above,
                          quad gradient[3])
 {
-    const quad u = x[0] * x[0] + x[1] * x[1], c = surface->c;
+    const quad *w = surface->weight;
+    const bool is_odd = surface->A3 != 0 || surface->A5 != 0;
+    const quad u = w[0] * x[0] * x[0] + w[1] * x[1] * x[1], c = surface->c;
+    const quad r = is_odd ? quad_root(u) : 0;
     const quad inside = 1 - (1 + surface->k) * c * c * u;
     if (!(inside > 0)) {
         return false;
     }
     const quad root = quad_root(inside);
-    const quad sag = c * u / (1 + root) + u * u * (surface->A4 + u * surface->A6);
-    const quad slope = c / root + u * (4 * surface->A4 + 6 * u * surface->A6); /* over r */
+    const quad sag = c * u / (1 + root) + u * u * (surface->A4 + u * surface->A6) +
+                     u * r * (surface->A3 + u * surface->A5);
+    const quad slope = c / root + u * (4 * surface->A4 + 6 * u * surface->A6) +
+                       r * (3 * surface->A3 + 5 * u * surface->A5); /* over r */
     *above = x[2] - sag;
-    gradient[0] = -slope * x[0];
-    gradient[1] = -slope * x[1];
+    gradient[0] = -slope * w[0] * x[0];
+    gradient[1] = -slope * w[1] * x[1];
     gradient[2] = 1;
     return true;
+}
+
+/* What stands for a scalar product in the conic of a surface. */
+static quad conic_product(const struct quad_surface *surface, const quad a[3], const quad b[3])
+{
+    const quad *w = surface->weight;
+    return w[0] * a[0] * b[0] + w[1] * a[1] * b[1] + (1 + surface->k) * a[2] * b[2];
+}
+
+static void conic_gradient(const struct quad_surface *surface, const quad x[3], quad gradient[3])
+{
+    gradient[0] = -surface->c * surface->weight[0] * x[0];
+    gradient[1] = -surface->c * surface->weight[1] * x[1];
+    gradient[2] = 1 - surface->c * (1 + surface->k) * x[2];
 }
 
 /* Of the conic's two places the one on the vertex's sheet that light comes to from its front. */
 static bool quad_ray_to_conic(const struct quad_surface *surface, struct quad_ray *ray)
 {
-    const quad c = surface->c, K = 1 + surface->k;
+    const quad c = surface->c;
     const quad *x = ray->x, *d = ray->d;
-    const quad a = c * (d[0] * d[0] + d[1] * d[1] + K * d[2] * d[2]);
-    const quad b = c * (x[0] * d[0] + x[1] * d[1] + K * x[2] * d[2]) - d[2];
-    const quad e = c * (x[0] * x[0] + x[1] * x[1] + K * x[2] * x[2]) - 2 * x[2];
+    const quad a = c * conic_product(surface, d, d);
+    const quad b = c * conic_product(surface, x, d) - d[2];
+    const quad e = c * conic_product(surface, x, x) - 2 * x[2];
     const quad square = b * b - a * e, largest = b * b + quad_size(a * e);
     ray->margin = fmin(ray->margin, largest > 0 ? (double)quad_size(square / largest) : 0);
     if (!(square >= 0)) {
@@ -94,9 +123,7 @@ static bool quad_ray_to_conic(const struct quad_surface *surface, struct quad_ra
         for (int k = 0; k < 3; k++) {
             there[k] = x[k] + lengths[i] * d[k];
         }
-        normal[0] = -c * there[0];
-        normal[1] = -c * there[1];
-        normal[2] = 1 - c * K * there[2];
+        conic_gradient(surface, there, normal);
         if (normal[2] > 0 && dot(normal, d) * (quad)ray->way > 0) {
             ray->margin = fmin(ray->margin, (double)normal[2]);
             quad_ray_go(ray, lengths[i]);
@@ -145,16 +172,15 @@ struct quad_ray quad_ray_of_beam(const struct beam *beam, const double at[2])
 
 bool quad_ray_meet(const struct quad_surface *surface, struct quad_ray *ray)
 {
-    const bool is_conic = surface->A4 == 0 && surface->A6 == 0;
+    const bool is_conic =
+        surface->A4 == 0 && surface->A6 == 0 && surface->A3 == 0 && surface->A5 == 0;
     quad above, gradient[3];
     quad_ray_go(ray, -dot(ray->x, ray->d)); /* from where it is nearest to the vertex */
     if (!(is_conic ? quad_ray_to_conic(surface, ray) : quad_ray_to_asphere(surface, ray))) {
         return false;
     }
     if (is_conic) {
-        gradient[0] = -surface->c * ray->x[0];
-        gradient[1] = -surface->c * ray->x[1];
-        gradient[2] = 1 - surface->c * (1 + surface->k) * ray->x[2];
+        conic_gradient(surface, ray->x, gradient);
     } else if (!sag_gradient(surface, ray->x, &above, gradient)) {
         return false;
     }
@@ -203,8 +229,7 @@ bool quad_ray_trace(const struct quad_lens *lens, const struct quad_nudge *nudge
     }
     for (size_t i = 0; i < lens->count; i++) {
         const struct quad_surface *surface = &lens->surfaces[i];
-        ray->x[2] -= i > 0 ? lens->surfaces[i - 1].t : 0;
-        quad_ray_into(ray, surface);
+        quad_ray_to_axes(lens, i, ray);
         if (!quad_ray_meet(surface, ray)) {
             return false;
         }
@@ -219,8 +244,7 @@ bool quad_ray_trace(const struct quad_lens *lens, const struct quad_nudge *nudge
 bool quad_ray_to_stop(const struct quad_lens *lens, size_t stop, struct quad_ray *ray)
 {
     for (size_t i = 0; i <= stop; i++) {
-        ray->x[2] -= i > 0 ? lens->surfaces[i - 1].t : 0;
-        quad_ray_into(ray, &lens->surfaces[i]);
+        quad_ray_to_axes(lens, i, ray);
         if (!quad_ray_meet(&lens->surfaces[i], ray)) {
             return false;
         }

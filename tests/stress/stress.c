@@ -34,9 +34,13 @@ static const struct family families[] = {
     {"rays", try_rays, 25, 2, 0, 0},
     {"derivatives", try_derivatives, 5, 2, 0, 0},
     {"optical paths", try_paths, 8, 2, 0, 0},
+    {"bent rays", try_bent_rays, 15, 2, 0, 0},
+    {"bent derivatives", try_bent_derivatives, 4, 2, 0, 0},
+    {"bent paths", try_bent_paths, 5, 1, 0, 0},
     {"chief rays", try_chief, 20, 1, 0, 0},
     {"aimed rays", try_aim, 20, 2, 0, 0},
     {"quadratures", try_spot, 2, 2, 0, 0},
+    {"clipped quadratures", try_clipped, 1, 3, 0, 0},
     {"zernike", try_zernike, 20, 1, 0, 0},
     {"zernike fits", try_zernike_fit, 1, 1, 0, 0},
     {"fourier", try_fft, 8, 1, 0, 0},
@@ -56,14 +60,15 @@ static const struct {
     const char *family;
     unsigned long seed, number;
 } once[] = {
-    {"derivatives", 1, 12},   /* a flat surface decentred */
-    {"derivatives", 2, 19},   /* a first surface tilted before an object far away */
-    {"derivatives", 2, 1212}, /* the shape of a surface that bends nothing */
-    {"derivatives", 2, 611},  /* flat ones */
-    {"zernike", 1, 245},      /* beside an axis */
-    {"zernike", 1, 4127},     /* */
-    {"nist", 1, 1393},        /* Ceres on a slope, "converged": without trust, */
-    {"nist", 3, 1123},        /* by short steps */
+    {"derivatives", 1, 12},         /* a flat surface decentred */
+    {"derivatives", 2, 19},         /* a first surface tilted before an object far away */
+    {"derivatives", 2, 1212},       /* the shape of a surface that bends nothing */
+    {"derivatives", 2, 611},        /* flat ones */
+    {"zernike", 1, 245},            /* beside an axis */
+    {"zernike", 1, 4127},           /* */
+    {"clipped quadratures", 1, 59}, /* contrast by series of which terms have been dropped */
+    {"nist", 1, 1393},              /* Ceres on a slope, "converged": without trust, */
+    {"nist", 3, 1123},              /* by short steps */
 };
 
 /* What came of the trials of a family. */

@@ -57,8 +57,9 @@ typedef void family_try(struct trial *trial);
 family_try try_ordinary_paraxial, try_scales_paraxial, try_flat_paraxial, try_afocal_paraxial,
     try_long_paraxial, try_seidel;
 family_try try_rays, try_derivatives, try_paths;
+family_try try_bent_rays, try_bent_derivatives, try_bent_paths;
 family_try try_chief, try_aim;
-family_try try_spot;
+family_try try_spot, try_clipped;
 family_try try_zernike, try_zernike_fit, try_fft;
 family_try try_photography, try_depth_of_field;
 family_try try_nist;
