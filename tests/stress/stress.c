@@ -67,6 +67,7 @@ static const struct {
     {"zernike", 1, 245},            /* beside an axis */
     {"zernike", 1, 4127},           /* */
     {"clipped quadratures", 1, 59}, /* contrast by series of which terms have been dropped */
+    {"clipped quadratures", 1, 41}, /* light that is turned over in the last hundredth to the rim */
     {"nist", 1, 1393},              /* Ceres on a slope, "converged": without trust, */
     {"nist", 3, 1123},              /* by short steps */
 };

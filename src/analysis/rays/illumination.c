@@ -34,6 +34,10 @@ struct bundle_part {
     struct stop_beam beam;
     struct quadrature_region region;
     double area; /* of the unit disc of u and v, mm^2 */
+    /* behind the lens, of the rays of the last sum: what stands for their areas, the least and the
+       most; of which sign some are: turned over, as they were */
+    double least, most;
+    bool turns[2];
 };
 
 /* The place of a point of a quadrature; what it stands for, which adds up to the area, mm^2. */
@@ -72,6 +76,20 @@ static double sum_film(const struct illumination_question *question, struct bund
 
 /* -------- rays of a point of the object: behind the lens -------- */
 
+/* Trace a block with its derivatives: what a and b become of n L and n M, lane by lane. */
+static void field_areas(const struct illumination_question *question, struct ray_block *block,
+                        size_t used, struct ray_block *tangents, double *areas)
+{
+    const struct ray_block *u = &tangents[0], *v = &tangents[1];
+    const int lanes = kernel_lanes(used);
+    beam_tangents(question->beam, (double[2]){1, 0}, block, (size_t)lanes, &tangents[0]);
+    beam_tangents(question->beam, (double[2]){0, 1}, block, (size_t)lanes, &tangents[1]);
+    tangent_follow(question->open, lanes, 2, block, tangents);
+    for (size_t k = 0; k < used; k++) {
+        areas[k] = u->p[k] * v->q[k] - v->p[k] * u->q[k];
+    }
+}
+
 static double sum_field(const struct illumination_question *question, struct bundle_part *part,
                         size_t rays, struct arena *arena)
 {
@@ -80,10 +98,13 @@ static double sum_field(const struct illumination_question *question, struct bun
     const struct beam *beam = question->beam;
     struct ray_block *block = rays_new(arena, 2 * (size_t)RAYS_BLOCK).blocks;
     struct ray_block *tangents = rays_room(arena, 2 * (size_t)RAYS_BLOCK).blocks;
-    const struct ray_block *u = &tangents[0], *v = &tangents[1];
     const double over = 1 / (system->index_first * system->index_first);
-    double a[RAYS_BLOCK] = {0}, b[RAYS_BLOCK] = {0}, weights[RAYS_BLOCK], sum = 0;
+    double a[RAYS_BLOCK] = {0}, b[RAYS_BLOCK] = {0}, weights[RAYS_BLOCK], areas[RAYS_BLOCK];
+    double sum = 0;
     const size_t count = all.is_empty ? 0 : all.sample.count;
+    part->turns[0] = part->turns[1] = false;
+    part->least = INFINITY;
+    part->most = 0;
     for (size_t i = 0, used = 0; i < count; i++) {
         double at[2];
         weights[used] = part_point(part, &all.sample.points[i], at);
@@ -92,20 +113,51 @@ static double sum_field(const struct illumination_question *question, struct bun
         if (used < RAYS_BLOCK && i + 1 < count) {
             continue;
         }
-        /* trace what waits, with its derivatives */
-        const int lanes = kernel_lanes(used);
         beam_start(beam, a, b, used, block);
-        beam_tangents(beam, (double[2]){1, 0}, block, (size_t)lanes, &tangents[0]);
-        beam_tangents(beam, (double[2]){0, 1}, block, (size_t)lanes, &tangents[1]);
-        tangent_follow(system, lanes, 2, block, tangents);
+        field_areas(question, block, used, tangents, areas);
         for (size_t k = 0; k < used; k++) {
-            double area = fabs(u->p[k] * v->q[k] - v->p[k] * u->q[k]);
             /* a ray on the edge may be lost by rounding */
-            sum += isfinite(area) ? weights[k] * over * area : 0;
+            if (isfinite(areas[k])) {
+                sum += weights[k] * over * fabs(areas[k]);
+                part->turns[areas[k] > 0] = true;
+                part->least = fmin(part->least, fabs(areas[k]));
+                part->most = fmax(part->most, fabs(areas[k]));
+            }
         }
         used = 0;
     }
     return sum;
+}
+
+/*
+ * Are rays at the rim turned over that are not within, or the other way round? Between its last
+ * ring and the rim Gauss's rule sees nothing, and a bundle that folds there has the sum of one that
+ * does not.
+ */
+static bool field_folds_at_rim(const struct illumination_question *question,
+                               const struct bundle_part *part, struct arena *arena)
+{
+    enum { ARMS = 16 };
+    const struct arena_mark mark = arena_mark(arena);
+    const double almost = 0.999, alike = 0.5;
+    double angles[ARMS], areas[ARMS];
+    bool folds = false;
+    if (part->least > alike * part->most) {
+        return false; /* it is far from folding */
+    }
+    for (int i = 0; i < ARMS; i++) {
+        angles[i] = 2 * PI * i / ARMS;
+    }
+    const struct rays rays = rays_new(arena, ARMS);
+    struct ray_block *tangents = rays_new(arena, 2 * (size_t)RAYS_BLOCK).blocks;
+    const struct quadrature_rim rim = quadrature_edge(&part->region, angles, ARMS, NULL, 0, arena);
+    quadrature_rays_within(&part->region, &rim, &almost, 1, &rays);
+    field_areas(question, rays.blocks, rim.count, tangents, areas);
+    for (size_t i = 0; i < rim.count; i++) {
+        folds = folds || (isfinite(areas[i]) && !part->turns[areas[i] > 0]);
+    }
+    arena_reset(arena, mark);
+    return folds;
 }
 
 /* -------- until it stands -------- */
@@ -173,7 +225,13 @@ static struct illumination illumination_converge(const struct illumination_quest
         values[3] = sum_once(question, sum, part, rays, arena);
         light.value = values[2];
         light.error = fmax(illumination_error_of(values, doubted), least * light.value);
-        light.is_met = light.error <= question->error * light.value;
+        if (part->turns[0] && part->turns[1]) { /* folds make kinks: changes fall by chance */
+            const double change = fmax(fabs(values[3] - values[2]), fabs(values[2] - values[1]));
+            light.error = fmax(light.error, 4 * change);
+        }
+        light.is_met =
+            light.error <= question->error * light.value &&
+            !(sum == sum_field && light.value > 0 && field_folds_at_rim(question, part, arena));
     }
     if (question->islands != NULL) {
         *question->islands = quadrature_islands(&part->region, arena);
