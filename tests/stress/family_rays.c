@@ -326,14 +326,17 @@ static struct parameter parameter_of(size_t number, double height, quad *size)
     return (struct parameter){number / QUAD_NUMBERS, kinds[which], orders[which]};
 }
 
-/* How far from the axis the ray meets a surface. */
-static double radius_at(const struct ray_trial *one, const struct ray *start, size_t surface)
+/* How far from the axis the ray meets a surface; across: by what a cylinder is curved along. */
+static double radius_at(const struct ray_trial *one, const struct ray *start, size_t surface,
+                        double *across)
 {
     static struct quad_lens front;
     struct quad_ray ray = quad_ray_of(start);
+    const quad *w = one->numbers.surfaces[surface].weight;
     front = one->numbers;
     front.count = surface + 1;
     (void)quad_ray_trace(&front, NULL, &ray);
+    *across = hypot((double)(w[0] * ray.x[0]), (double)(w[1] * ray.x[1]));
     return hypot((double)ray.x[0], (double)ray.x[1]);
 }
 
@@ -403,7 +406,8 @@ static void derivatives_try(struct trial *trial, bool is_bent)
     const int each = is_bent ? ALL_PARAMETERS : PLAIN_PARAMETERS;
     const int drawn = trial_whole(trial, 0, each * (int)one.drawn.count - 1);
     const size_t number = (size_t)(QUAD_NUMBERS * (drawn / each) + drawn % each);
-    const double r = radius_at(&one, &start, number / QUAD_NUMBERS);
+    double across;
+    const double r = radius_at(&one, &start, number / QUAD_NUMBERS, &across);
     const struct parameter parameter = parameter_of(number, fmax(r, one.height), &size);
     const struct quad_surface *surface = &one.numbers.surfaces[parameter.surface];
     const bool is_mirrored = surface->reflects || surface[1].reflects;
@@ -434,6 +438,13 @@ static void derivatives_try(struct trial *trial, bool is_bent)
         return;
     }
     sums[4] += sweep_share(&one, number, r) * (double)end.length;
+    if (parameter.kind == PARAMETER_CONIC && across < r) {
+        /* goes by the square of a sag, which a cylinder's ray has beside a way along it */
+        const double sag = (double)quad_size(surface->c) * across * across / 2;
+        for (int k = 0; k < OUTPUTS; k++) {
+            sums[k] += 2 * r / sag * (double)quad_size(truth[k]);
+        }
+    }
     for (int k = 0; k < OUTPUTS; k++) {
         const double off = (double)quad_size((quad)values[k] - truth[k]);
         const quad end_size = k == 2 || k == 3 ? 1 : end.length + (quad)one.height;

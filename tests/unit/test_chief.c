@@ -160,8 +160,7 @@ static void test_work(void)
     static const char *const texts[] = {
         "object inf\naperture stop\nsurface 1e-3 1 air 0.002\nstop - 10 air 1\n",
         "object inf\naperture stop\nsurface 1e-3 1 air 0.002 A4=1e-9\nstop - 10 air 1\n",
-        "object inf\naperture stop\nsurface 1e-3 1 air 0.002 A4=1e-9\n"
-        "stop - 10 air 1 decenter=1e-3,0\n"};
+        "object inf\naperture stop\nsurface 1e-3 1 air 0.002 A4=1e-9 tilt=1,0\nstop - 10 air 1\n"};
     enum { TEXTS = sizeof texts / sizeof *texts };
     size_t sought[TEXTS];
     for (size_t i = 0; i < TEXTS; i++) {
