@@ -145,7 +145,7 @@ static bool star_find_edges(struct star *star)
 /* What the truth is of: means over the stop, and the light as a sum. */
 struct star_truth {
     double rms, light, waves; /* mm, sr, wavelengths */
-    bool is_folded;           /* behind the lens: rays are turned over in places of the stop */
+    bool is_folded; /* behind the lens: rays are turned over in places of the stop, or nearly so */
 };
 
 /* Sums over every `step`th arm. */
@@ -154,7 +154,7 @@ static void star_add(const struct pupil_point *points, const struct rays *rays,
                      struct star_truth *truth)
 {
     long double weight = 0, sums[6] = {0}, light = 0;
-    bool turns[2] = {false, false};
+    double least = INFINITY, most = -INFINITY; /* of areas */
     const double origin[2] = {rays->blocks->x[0], rays->blocks->y[0]};
     for (int i = 0; i < ARMS * ALONG; i++) {
         const size_t at = (size_t)i;
@@ -174,7 +174,8 @@ static void star_add(const struct pupil_point *points, const struct rays *rays,
         weight += (long double)w;
         const double turned = (p[0] - p[1]) * (q[2] - q[3]) - (q[0] - q[1]) * (p[2] - p[3]);
         light += (long double)(w * fabs(turned));
-        turns[turned > 0] = true;
+        least = fmin(least, turned);
+        most = fmax(most, turned);
         for (int k = 0; k < 6; k++) {
             sums[k] += (long double)(w * all[k]);
         }
@@ -184,7 +185,8 @@ static void star_add(const struct pupil_point *points, const struct rays *rays,
     }
     truth->rms = sqrt((double)(sums[2] - sums[0] * sums[0] + sums[3] - sums[1] * sums[1]));
     truth->waves = sqrt((double)(sums[5] - sums[4] * sums[4]));
-    truth->is_folded = turns[0] && turns[1];
+    truth->is_folded =
+        fmin(fabs(least), fabs(most)) < 0.1 * fmax(fabs(least), fabs(most)) || least * most < 0;
     truth->light = (double)light * step / (4 * h * h);
 }
 
