@@ -193,6 +193,63 @@ static void check_expression(const struct expression_case *of)
     arena_free(&arena);
 }
 
+/* Numbers that vary in one position, and one that follows another: by hand. */
+static void test_words(void)
+{
+    static const char follows[] = "wavelength d\n"
+                                  "position wide tele\n"
+                                  "let gap 20 6\n"
+                                  "pickup t3 = 0.5 + 2 * t1\n"
+                                  "surface 60 4 1.6/50 30\n"
+                                  "surface -900 gap air 30\n"
+                                  "surface 50 5 1.62/60 30\n"
+                                  "surface -40 50 air 30\n";
+    const struct parameter gap = {1, PARAMETER_THICKNESS, 0}, first = {0, PARAMETER_THICKNESS, 0};
+    const struct variable list[] = {
+        {.what = gap, .position = 0, .low = -INFINITY, .high = INFINITY, .name = "gap@wide"},
+        {.what = gap, .position = 1, .low = -INFINITY, .high = INFINITY, .name = "gap@tele"},
+        {.what = first, .position = LENS_NONE, .low = -INFINITY, .high = INFINITY, .name = "t1"}};
+    struct arena arena = {0};
+    struct lensdb db = {.arena = &arena};
+    struct lens lens;
+    struct variables variables;
+    struct goals goals;
+    struct merit merit;
+    struct error error;
+    const struct goals_reader reader = {&db, &lens, &arena, "--goals", 1};
+    double v[3], residuals[5], rows[5][3];
+    const bool open =
+        lens_read("words", text_of(follows), NULL, &arena, &lens, &error) &&
+        variables_open(&lens, list, 3, &arena, &variables, &error) &&
+        goals_read(&reader, text_of("t2@wide - gap@tele = 1, t3 * t1 = 0, gap / t3 = 0"), &goals,
+                   &error);
+    CHECK(open);
+    const struct merit_question question = {.lens = &lens,
+                                            .variables = &variables,
+                                            .variable_count = 3,
+                                            .operands = goals.list,
+                                            .operand_count = goals.count,
+                                            .fnumber = NAN,
+                                            .rays = 36};
+    CHECK(merit_open(&question, &arena, &merit, &error) && merit.residual_count == 5);
+    variables_get(&variables, v);
+    CHECK(merit_measure(&merit, v, residuals, &rows[0][0]));
+    /* t1 = 4, t3 = 8.5 that follows: d(t3 t1) = t3 + 2 t1, d(gap/t3) = 1/t3, -2 gap/t3^2 */
+    static const double values[5] = {14, 34, 34, 20 / 8.5, 6 / 8.5};
+    static const double slopes[5][3] = {{1, -1, 0},
+                                        {0, 0, 16.5},
+                                        {0, 0, 16.5},
+                                        {1 / 8.5, 0, -40 / 72.25},
+                                        {0, 1 / 8.5, -12 / 72.25}};
+    for (size_t i = 0; i < 5; i++) {
+        CHECK_NEAR(merit.values[i], values[i], 1e-13, merit.slots[i].operand->name);
+        for (size_t j = 0; j < 3; j++) {
+            CHECK_NEAR(rows[i][j], slopes[i][j], 1e-13, merit.slots[i].operand->name);
+        }
+    }
+    arena_free(&arena);
+}
+
 /* A position that is not optimised is not asked for. */
 static void test_elsewhere(void)
 {
@@ -238,6 +295,7 @@ int main(void)
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         check_expression(&cases[i]);
     }
+    test_words();
     test_elsewhere();
     test_refused();
     return check_report();
