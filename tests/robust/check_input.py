@@ -73,7 +73,7 @@ def check_values(tester):
     """What is no value, on the command line and in a cell of line 3."""
     bad = {"nan": "nan", "-nan": "nan", "1e999": "too large", "-1e999": "too large",
            "1e-999": "too small", "-0": "out of range", "0": "out of range", "-1": "out of range",
-           "3s": "time", "3kg": "unknown unit", "3nn": "unknown unit", "0x10": "", "x": "",
+           "3s": "time", "3kg": "mass", "3nn": "unknown unit", "0x10": "", "x": "",
            "1e": "", "--": "", "3m3": "", "3 4": "", "1/0": "", "\u0663": "", "3\u00a0m": "",
            "infinity m": "", "1" * 400: "too large", "9" * 100000 + "x": "", "3" + "m" * 100000: ""}
     for value, says in bad.items():
