@@ -22,6 +22,13 @@ enum glass_numbers {
     GLASS_NUMBERS_CATALOG  /* the name */
 };
 
+/* Of a lens whose aperture is no diameter of the stop: the marginal ray that gives it its size. */
+enum stop_size {
+    STOP_SIZE_OF_LENS, /* as its file says */
+    STOP_SIZE_PARAXIAL,
+    STOP_SIZE_REAL
+};
+
 /* Where data comes from. Files of the user's folder are read once, when first asked for. */
 struct lensdb {
     struct arena *arena;
@@ -33,6 +40,7 @@ struct lensdb {
     bool agf_is_read;
     bool lossy; /* --lossy: files of other programs are read without what is lost */
     enum glass_numbers glass_numbers; /* --glass-numbers */
+    enum stop_size stop_size;         /* --stop-size */
     struct text_buffer losses; /* what that was, and damaged glasses: a line each, each file once */
     struct lensdb_told *told_of;            /* those files */
     const struct agf_catalog *agf_catalogs; /* the user's, once they are read */

@@ -171,6 +171,9 @@ static void json_put_use(struct lens_writer *writing)
     json_put_fields(writing);
     writing_put(writing, ",\"aperture_kind\":%s,\"aperture\":%s,\"focus\":\"%s\"",
                 apertures[lens->aperture_kind], aperture, focuses[lens->focus]);
+    writing_put(writing, "%s",
+                lens->stop_is_real && lens->aperture_kind > APERTURE_STOP ? ",\"stop_is_real\":true"
+                                                                          : "");
 }
 
 static void json_put_turns(struct lens_writer *writing, const char *key,

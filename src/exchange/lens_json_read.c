@@ -392,19 +392,31 @@ static bool json_object_space(struct json_reader *reading, const struct json_val
                             &reading->build.lens->object_medium);
 }
 
+static bool json_stop_size(struct json_reader *reading, const struct json_value *value)
+{
+    struct lens *lens = reading->build.lens;
+    if (json_is_null(value)) {
+        return true;
+    }
+    return json_read_truth(reading, value, &lens->stop_is_real) &&
+           (!lens->stop_is_real || lens->aperture_kind > APERTURE_STOP ||
+            json_wrong(reading, value, "no aperture sizes the stop"));
+}
+
 static bool json_lens(struct json_reader *reading, const struct json_value *root)
 {
     static const char keys[] =
         "lens source kind notes positions unit wavelengths object_mm fields object_medium "
         "field_kind object_is_infinite aperture aperture_kind focus stop_surface stated_efl_mm "
         "stated_bfl_mm stated_fnumber stated_tstop surfaces fields_x field_weights settings "
-        "object_is_telecentric pickups goals tolerances";
+        "object_is_telecentric pickups goals tolerances stop_is_real";
     return json_check_keys(reading, root, keys) && json_titles(reading, root) &&
            json_unit(reading, json_item(root, "unit")) &&
            json_positions(reading, json_item(root, "positions")) &&
            json_waves(reading, json_item(root, "wavelengths")) &&
            json_object(reading, json_item(root, "object_mm")) && json_object_space(reading, root) &&
            json_fields(reading, root) && json_system_aperture(reading, root) &&
+           json_stop_size(reading, json_item(root, "stop_is_real")) &&
            json_focus(reading, json_item(root, "focus")) && json_stated(reading, root) &&
            json_surfaces(reading, json_item(root, "surfaces")) &&
            json_check_stop(reading, json_item(root, "stop_surface")) &&

@@ -208,6 +208,13 @@ static void tell_losses(struct lensdb *db, const struct foreign_job *job)
     foreign_losses(job, &db->losses);
 }
 
+void lens_set_stop_size(struct lens *lens, enum stop_size size)
+{
+    if (size != STOP_SIZE_OF_LENS) {
+        lens->stop_is_real = size == STOP_SIZE_REAL;
+    }
+}
+
 bool lens_open(struct lensdb *db, struct text name, struct arena *arena, struct lens *lens,
                struct error *error)
 {
@@ -230,5 +237,6 @@ bool lens_open(struct lensdb *db, struct text name, struct arena *arena, struct 
     if (job.loss_count > 0) {
         tell_losses(db, &job);
     }
+    lens_set_stop_size(lens, db->stop_size);
     return true;
 }

@@ -29,6 +29,9 @@ const char *lens_open_path(struct lensdb *db, struct text name, struct arena *ar
 bool lens_open(struct lensdb *db, struct text name, struct arena *arena, struct lens *lens,
                struct error *error);
 
+/* What --stop-size asks of a lens that was read. */
+void lens_set_stop_size(struct lens *lens, enum stop_size size);
+
 /* The names of all lenses of one place, sorted; an array in the arena that ends with null. */
 bool lens_open_names(struct lensdb *db, enum lensdb_place place, struct arena *arena,
                      const char *const **names, struct error *error);

@@ -206,9 +206,17 @@ static bool read_lens_aperture(struct parser *parser)
 {
     parser->aperture_word = file_words_next(&parser->words);
     parser->aperture_line = parser->words;
-    return read_aperture_value(parser, parser->aperture_word, &parser->lens->aperture,
-                               &parser->lens->aperture_kind) &&
-           file_words_end(&parser->words);
+    if (!read_aperture_value(parser, parser->aperture_word, &parser->lens->aperture,
+                             &parser->lens->aperture_kind)) {
+        return false;
+    }
+    struct file_words behind = parser->words;
+    if (parser->lens->aperture_kind != APERTURE_STOP &&
+        text_equal(file_words_next(&behind), "real")) {
+        parser->lens->stop_is_real = true;
+        parser->words = behind;
+    }
+    return file_words_end(&parser->words);
 }
 
 static bool read_focus_line(struct parser *parser)
@@ -270,6 +278,10 @@ static bool let_apertures(struct parser *parser, struct text name)
         word = file_words_next(&parser->words);
     }
     lens->apertures = values;
+    if (count == lens->position_count && text_equal(word, "real")) {
+        lens->stop_is_real = true;
+        word = file_words_next(&parser->words);
+    }
     return line_count_check(parser, name, count + (word.length > 0));
 }
 

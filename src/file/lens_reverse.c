@@ -432,6 +432,10 @@ static bool turn_aperture(struct turn *turn, struct error *error)
     struct first_order first;
     const struct aperture_setting aperture = lens_aperture(from);
     const struct conjugate_object object = lens_object(from);
+    if (from->stop_is_real && from->aperture_kind > APERTURE_STOP) {
+        fail(error, ERROR_DOMAIN, "the stop has the size of a real ray, which is not traced here");
+        return error_hint(error, "give the stop's diameter, and 'aperture stop'");
+    }
     if (from->aperture_kind <= APERTURE_STOP) {
         return true;
     }

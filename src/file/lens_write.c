@@ -227,8 +227,10 @@ static void put_aperture_lines(struct lens_write_writer *writer, const char *bef
         if (kind != APERTURE_STOP) {
             put_figure(writer, &figures[i], unit);
         }
-        growing_string(&writer->text, i + 1 < count ? " " : "\n");
+        growing_string(&writer->text, i + 1 < count ? " " : "");
     }
+    growing_string(&writer->text,
+                   writer->lens->stop_is_real && kind != APERTURE_STOP ? " real\n" : "\n");
 }
 
 static void put_lens_header(struct lens_write_writer *writer)

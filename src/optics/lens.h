@@ -135,6 +135,7 @@ struct lens {
     size_t field_count;
     enum aperture_kind aperture_kind;
     struct figure aperture;
+    bool stop_is_real; /* sized by the exact marginal ray of an aperture that is not its diameter */
     enum focus_kind focus;
     struct surface *surfaces;
     size_t surface_count;

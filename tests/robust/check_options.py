@@ -344,6 +344,12 @@ def try_glass_numbers(asked):
     return line.returncode == catalog.returncode == 0 and line.stdout != catalog.stdout
 
 
+def try_stop_size(asked):
+    """A word for no ray is refused; check_stop_size.py of tests/truth has what the others do."""
+    result = asked.with_lens("--lossy", "--stop-size", "wrong")
+    return result.returncode == 2 and b"lens, paraxial, real" in result.stderr
+
+
 def try_help(asked):
     return b"Examples:" in asked.run("--help").stdout
 
@@ -359,7 +365,7 @@ TRIES = {
     "--explain": try_explain, "--nominal": try_short("nominal"), "--batch": try_batch,
     "--batch-format": try_batch_format, "--fail-fast": try_fail_fast, "--force": try_force,
     "--output": try_output, "--lensdb": try_lensdb, "--agf": try_agf, "--lossy": try_lossy,
-    "--glass-numbers": try_glass_numbers, "--color": try_color, "--help": try_help,
+    "--glass-numbers": try_glass_numbers, "--stop-size": try_stop_size, "--color": try_color, "--help": try_help,
 }
 TRIES.update({f"--{name}": try_short(name) for name in ("csv", "tsv", "json", "jsonl")})
 

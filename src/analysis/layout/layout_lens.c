@@ -411,7 +411,8 @@ static void layout_lens_add_stop(struct layout *layout)
     if (stop == LENS_NONE) {
         return;
     }
-    double r = layout->light->first.stop_radius, tick = 0.16 * layout->size;
+    const double real = layout->setup->real_stop;
+    double r = isnan(real) ? layout->light->first.stop_radius : real, tick = 0.16 * layout->size;
     r = r > 0 ? r : layout->semi[stop];
     double at = layout->vertex[stop] + sag(layout, stop, r);
     if (!(r > 0 && r < INFINITY && isfinite(at))) {

@@ -44,6 +44,7 @@ static bool setup_set_aperture(const struct setup_question *question, struct set
         aperture = (struct aperture_setting){APERTURE_FNUMBER, question->fnumber};
     }
     const struct field_point edge = setup_in_section(setup, &setup->edge);
+    setup->aperture = aperture.kind;
     return first_order_aperture(&setup->first, &setup->object, &aperture, edge.kind,
                                 edge.value[setup_axis(setup)], error);
 }
@@ -69,7 +70,9 @@ bool setup_open(const struct setup_question *question, struct arena *arena, stru
         .section = question->section,
         .object = lens_object(lens),
         .edge = {.kind = FIELD_NONE},
+        .real_stop = NAN,
         .image = NAN,
+        .aperture = APERTURE_NONE,
         .arena = arena,
     };
     if (lens->is_telecentric && !question->takes_telecentric) {
@@ -87,7 +90,10 @@ bool setup_open(const struct setup_question *question, struct arena *arena, stru
                                &setup->first, error) &&
            setup_set_aperture(question, setup, error) &&
            setup_choose_fields(question, setup, error) &&
-           setup_set_aperture(question, setup, error);
+           setup_set_aperture(question, setup, error) &&
+           (!lens->stop_is_real || question->leaves_stop || lens->stop == LENS_NONE ||
+            setup_marginal_stop(setup, &setup->real_stop, error) ||
+            error_prefix(error, "the stop has no size of a real ray: "));
 }
 
 bool setup_light(const struct setup *setup, size_t wavelength, struct setup_light *light,

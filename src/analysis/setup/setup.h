@@ -30,6 +30,9 @@ struct setup {
     const char *fields_from;          /* in words, where they are not the lens's; else null */
     struct field_point edge;          /* the one farthest from the axis; FIELD_NONE: none */
     struct first_order first;         /* at the primary wavelength; chief ray: of the edge */
+    enum aperture_kind aperture;      /* what fixes its beam */
+    double
+        real_stop; /* radius that the exact marginal ray gives the stop, mm; NaN: that of `first` */
     /* by setup_place_image */
     double image;        /* the image plane, behind the last vertex, mm; NaN = none */
     const char *focus;   /* "paraxial", "table", "best", "given"; null = no image plane */
@@ -38,6 +41,12 @@ struct setup {
     struct arena *arena;
     const struct system **systems;
 };
+
+/* The radius of the stop that exact rays fill, mm; NaN = none. */
+static inline double setup_stop_radius(const struct setup *setup)
+{
+    return isnan(setup->real_stop) ? setup->first.stop_radius : setup->real_stop;
+}
 
 /* Which coordinate fields have: 0 = x, 1 = y. */
 static inline size_t setup_axis(const struct setup *setup)
@@ -51,7 +60,8 @@ static inline size_t setup_axis(const struct setup *setup)
  * Given     question  as above; one lens_check has passed
  *           arena     for all that the setup points to
  * Result    aperture: the f-number asked for, else what the lens states; its stop's radius is
- *           first.stop_radius, NaN where neither says one (then the stop's own diameter limits)
+ *           first.stop_radius, NaN where neither says one (then the stop's own diameter limits).
+ *           Of lens.stop_is_real exact rays have setup_stop_radius, that of setup_marginal_stop
  * Formula   FIELDS_SPREAD: from the axis in equal steps of the angle, or of the height of a near
  *           object; half diagonal of 35 mm film 21.633 mm = f tan(angle)
  * Errors    as first_order_of_lens and first_order_aperture; ERROR_DOMAIN: FIELDS_SPREAD of a lens
@@ -127,6 +137,23 @@ bool setup_compile(const struct setup *setup, const struct lens *lens, size_t wa
  * paraxial image of `first`; from the last vertex, mm. A best focus counts as the paraxial one.
  */
 struct pair setup_paraxial_image(const struct lens *lens, const struct first_order *first);
+
+/*
+ * How high the exact marginal ray of the aperture is in the stop, at the primary wavelength: the
+ * ray of the axis through the edge of the paraxial entrance pupil.
+ *
+ * Result    mm; NaN: the aperture is none, or the stop's own diameter
+ * Errors    ERROR_DOMAIN: the ray is lost; a telecentric object space; an entrance pupil that is
+ *           infinitely far away
+ */
+bool setup_marginal_stop(const struct setup *setup, double *radius, struct error *error);
+
+/*
+ * Is the beam that the stop lets pass another than that of the aperture, by more than 2 %?
+ *
+ * Result    a warning in the arena; null: no, or the stop has the size of the real ray
+ */
+const char *setup_stop_warning(const struct setup *setup, struct arena *arena);
 
 /* A tenth of a stop, as f-numbers: so much lies between labels and what lenses are. */
 #define SETUP_WIDTH_SLACK 0.966

@@ -59,6 +59,7 @@ struct setup_question {
     size_t field_count;
     enum field_policy field_policy;
     bool takes_telecentric; /* beams of a telecentric object space may be given by their slopes */
+    bool leaves_stop;       /* a stop of the size of a real ray is found by who asks */
 };
 
 #endif

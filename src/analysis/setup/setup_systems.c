@@ -4,6 +4,7 @@
 
 #include "optics/aperture.h"
 #include "optics/wavelength.h"
+#include "trace/follow.h"
 #include "trace/pupil/focus.h"
 
 #include <math.h>
@@ -39,7 +40,7 @@ static bool systems_compile(const struct setup *setup, const struct lens *lens, 
     options.path = (which & SETUP_PATH) != 0;
     options.image = (which & SETUP_IMAGE) != 0 ? setup->image : (double)NAN;
     options.paraxial = (which & SETUP_PARAXIAL) != 0;
-    options.stop_radius = setup->first.stop_radius;
+    options.stop_radius = setup_stop_radius(setup);
     return system_compile(lens, wavelength, &options, setup->arena, system, error);
 }
 
@@ -62,6 +63,64 @@ const struct system *setup_system(const struct setup *setup, size_t wavelength, 
         *kept = system;
     }
     return *kept;
+}
+
+/* -------- the stop that the exact marginal ray fills -------- */
+
+bool setup_marginal_stop(const struct setup *setup, double *radius, struct error *error)
+{
+    const struct arena_mark mark = arena_mark(setup->arena);
+    const struct field_point axis = {.kind = FIELD_NONE};
+    const size_t stop = setup->lens->stop, along = setup_axis(setup);
+    struct system system;
+    struct beam beam;
+    struct ray ray;
+    *radius = NAN;
+    if (setup->aperture <= APERTURE_STOP || stop == LENS_NONE) {
+        return true;
+    }
+    if (setup->first.is_telecentric) {
+        return fail(error, ERROR_DOMAIN, "the object space is telecentric");
+    }
+    bool found = systems_compile(setup, setup->lens, lens_primary_wavelength(setup->lens),
+                                 SETUP_OPEN, &system, error) &&
+                 beam_of_field(&axis, &setup->object, &setup->first, &beam, error) &&
+                 aim_at_entrance(&beam, &setup->first, along == 0, along == 1, &ray, error);
+    if (found) {
+        struct ray_intersection *meetings =
+            ARENA_ARRAY(setup->arena, system.places + 1, struct ray_intersection);
+        ray_follow(&system, &ray, setup->arena, meetings);
+        const struct ray *at = &meetings[stop].ray;
+        *radius = hypot(at->point[0], at->point[1]);
+        found = at->status == RAY_OK || fail(error, ERROR_DOMAIN,
+                                             "the marginal ray of the aperture is lost at surface "
+                                             "%zu",
+                                             at->surface);
+    }
+    arena_reset(setup->arena, mark);
+    return found;
+}
+
+/* A difference between the beams that is said, as a share. */
+static const double most_unsaid = 0.02;
+
+const char *setup_stop_warning(const struct setup *setup, struct arena *arena)
+{
+    double real;
+    struct error ignored;
+    if (!isnan(setup->real_stop) || setup->first.is_telecentric ||
+        !setup_marginal_stop(setup, &real, &ignored) || isnan(real)) {
+        return NULL;
+    }
+    const double share = setup->first.stop_radius / real;
+    const double diameter = setup->first.entrance_diameter;
+    return fabs(share - 1) > most_unsaid
+               ? arena_printf(arena,
+                              "the stop has the size of the paraxial marginal ray: a beam of about "
+                              "%.3g mm fills it, where the aperture says %.3g (stop size real: as "
+                              "wide as the exact ray)",
+                              share * diameter, diameter)
+               : NULL;
 }
 
 /* -------- the image plane -------- */

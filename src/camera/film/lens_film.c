@@ -80,7 +80,7 @@ static bool lens_film_open_systems(const struct film_question *question, struct 
         SETUP_CLIPPED | SETUP_REVERSED | (question->model == MODEL_PARAXIAL ? SETUP_PARAXIAL : 0);
     const bool has_blades = question->blades.count > 0;
     struct lens *bladed = ARENA_NEW(arena, struct lens);
-    if (has_blades && !blades_stop(setup->lens, &question->blades, setup->first.stop_radius, arena,
+    if (has_blades && !blades_stop(setup->lens, &question->blades, setup_stop_radius(setup), arena,
                                    bladed, error)) {
         return false;
     }

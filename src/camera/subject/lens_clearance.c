@@ -79,7 +79,7 @@ double lens_clearance_pupil(const struct setup *setup)
 struct lens_clearance lens_clearance_of(const struct setup *setup, struct arena *arena)
 {
     /* what is infinitely far away is as wide, too, and the beam on the glass about as the stop */
-    const double entrance = lens_clearance_is_far(setup) ? setup->first.stop_radius
+    const double entrance = lens_clearance_is_far(setup) ? setup_stop_radius(setup)
                                                          : fabs(setup->first.entrance_diameter) / 2;
     const double pupil = lens_clearance_pupil(setup);
     const double last = setup->first.length - pupil;

@@ -33,6 +33,14 @@ static const struct word glass_numbers_words[] = {
     {NULL, NULL},
 };
 
+/* By enum stop_size. */
+static const struct word stop_size_words[] = {
+    {"lens", "as its file says: paraxial, unless its aperture has the word real"},
+    {"paraxial", "the paraxial marginal ray"},
+    {"real", "the exact one of the primary wavelength, as other programs have it"},
+    {NULL, NULL},
+};
+
 const struct option common_options[] = {
     {COMMON(format), .name = "format", .value = "FORMAT", .word_at = format_word,
      .fallback = "text", .help = "how to print"},
@@ -77,6 +85,10 @@ const struct option common_options[] = {
      .fallback = "file",
      .help = "of a lens file with indices beside the name of a glass, where the two differ: line "
              "takes the indices, catalog the glass, file what the file means"},
+    {COMMON(stop_size), .name = "stop-size", .value = "RAY", .words = stop_size_words,
+     .fallback = "lens",
+     .help = "the marginal ray of the aperture (f-number, pupil, numerical aperture) that gives "
+             "the stop its size"},
     {COMMON(color), .name = "color", .value = "WHEN", .flags = OPTION_ASIDE, .words = color_words,
      .fallback = "auto", .help = "colour the heads of tables, warnings and errors"},
     {COMMON(help), .name = "help", .letter = 'h', .flags = OPTION_ASIDE,
@@ -210,6 +222,13 @@ static bool is_forced(const struct command *command)
     return found;
 }
 
+/* Rays that fill the stop of a lens, whose size matters. */
+static bool fills_stop(const struct command *command)
+{
+    const char *wants = command->stop_size_wants;
+    return (wants == NULL || wants[0] != '\0') && common_reads(command, READS_LENSES);
+}
+
 /* What a command must have for an option to do anything, and what is said where it has not. */
 static const struct {
     const char *option;
@@ -237,6 +256,7 @@ static const struct {
     {"agf", NULL, "uses no glasses", READS_GLASSES},
     {"lossy", NULL, "reads no lenses", READS_LENSES},
     {"glass-numbers", NULL, "reads no lenses", READS_LENSES},
+    {"stop-size", fills_stop, "traces no rays that fill the stop", 0},
 };
 
 /* Most names differ in their first letter: every start compares some hundreds of them. */

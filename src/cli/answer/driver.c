@@ -202,6 +202,7 @@ static bool driver_prepare(struct driver *driver, int count, char **words, struc
     driver->db.agf = driver->common.agf;
     driver->db.lossy = driver->common.lossy;
     driver->db.glass_numbers = (enum glass_numbers)driver->common.glass_numbers;
+    driver->db.stop_size = (enum stop_size)driver->common.stop_size;
     if (!inputs_spare(&driver->arguments, &driver->db, driver->common.force, driver->common.output,
                       &driver->arena, error)) {
         return false;
@@ -497,6 +498,7 @@ bool command_embed(const struct embedded_command *embedding, struct run *outer,
         driver.db.agf = parent->db.agf;
         driver.db.lossy = parent->db.lossy;
         driver.db.glass_numbers = parent->db.glass_numbers;
+        driver.db.stop_size = parent->db.stop_size;
         driver.run.watch = outer->watch;
         done = answer_inside(&driver, &text, error);
     }

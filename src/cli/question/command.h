@@ -149,6 +149,9 @@ struct command {
     /* When it runs in lenscalc-ceres, the program with the solver: always (""), with an option's
        word ("model=fitted"); null: never */
     const char *needs_ceres;
+    /* What --stop-size says nothing without, as `wants` of an option has it; "": it never does, as
+       rays are paraxial or chief rays; null: it always does, of a command that reads lenses */
+    const char *stop_size_wants;
     /* Another question by the same name, asked with the flag that is its first option; or null. */
     const struct command *other;
 };
@@ -172,6 +175,7 @@ struct common {
     const char *columns, *output, *lensdb, *agf, *batch, *table, *plot;
     int format, batch_format, units, color;
     int glass_numbers; /* enum glass_numbers */
+    int stop_size;     /* enum stop_size */
     long digits;
 };
 

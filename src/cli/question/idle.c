@@ -128,6 +128,7 @@ static const struct {
     unsigned data;
 } readings[] = {{"lossy", "lens", READS_LENSES},
                 {"glass-numbers", "lens", READS_LENSES},
+                {"stop-size", "lens", READS_LENSES},
                 {"agf", "lens or glass", READS_GLASSES}};
 
 static bool check_option(const struct idle *idle, const struct option *option, struct error *error)
@@ -151,6 +152,11 @@ static bool check_option(const struct idle *idle, const struct option *option, s
                     option->why != NULL ? option->why : "");
     }
     if (option->wants != NULL && !has_wanted(idle, option->wants, words, sizeof words)) {
+        return fail(error, ERROR_USAGE, "{--%s} needs %s", option->name, words);
+    }
+    const char *stop = idle->arguments->command->stop_size_wants;
+    if (strcmp(option->name, "stop-size") == 0 && stop != NULL &&
+        !has_wanted(idle, stop, words, sizeof words)) {
         return fail(error, ERROR_USAGE, "{--%s} needs %s", option->name, words);
     }
     if (option->serves != NULL && !serves_any(idle, option)) {

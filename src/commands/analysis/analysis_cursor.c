@@ -158,6 +158,7 @@ bool analysis_next_case(struct analysis_cursor *at, struct error *error)
         /* an axis that is asked for is not taken for a field that nobody states */
         .field_policy = asked && policy->fields == FIELDS_EDGE ? FIELDS_LARGEST : policy->fields,
         .takes_telecentric = true,
+        .leaves_stop = policy->is_narrow,
     };
     if (!setup_open(&of, arena, setup, error) || !analysis_place(question, policy, setup, error)) {
         return false;
@@ -167,6 +168,9 @@ bool analysis_next_case(struct analysis_cursor *at, struct error *error)
     const char *width =
         question->no_clip ? NULL : setup_width_warning(setup, question->fnumber, setup->arena);
     both = lens_warnings_join(both, setup->warning, setup->arena);
+    if (!policy->is_narrow && question->aim != ANALYSIS_AIM_ENTRANCE) {
+        both = lens_warnings_join(both, setup_stop_warning(setup, setup->arena), setup->arena);
+    }
     *one = (struct analysis_case){.question = question,
                                   .setup = setup,
                                   .clip = !question->no_clip,

@@ -49,6 +49,7 @@ struct analysis_policy {
     enum field_policy fields;
     bool one_wavelength; /* answers are those of one: a spectrum is refused */
     bool no_image;       /* no image plane is needed */
+    bool is_narrow;      /* as of the command: how wide the stop is does not count */
 };
 
 enum { ANALYSIS_AIM_STOP, ANALYSIS_AIM_ENTRANCE };

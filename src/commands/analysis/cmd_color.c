@@ -336,6 +336,7 @@ static const struct example examples[] = {
 
 const struct command command_color = {
     .name = "color",
+    .stop_size_wants = "show=zone|plot",
     .summary = "axial and lateral colour, secondary spectrum, spherochromatism",
     COMMAND_ASKS(struct color_input),
     COMMAND_ANSWERS(struct color_row),

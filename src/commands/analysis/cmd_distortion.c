@@ -518,6 +518,7 @@ static const struct example examples[] = {
 
 const struct command command_distortion = {
     .name = "distortion",
+    .stop_size_wants = "",
     .summary = "distortion of exact chief rays against an ideal projection",
     COMMAND_ASKS(struct distortion_input),
     .choose_sheet = distortion_choose_sheet,

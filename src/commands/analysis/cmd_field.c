@@ -10,8 +10,10 @@ struct field_input {
     struct analysis_question question;
 };
 
-static const struct analysis_policy policy = {
-    .wavelengths = WAVELENGTHS_PRIMARY, .fields = FIELDS_ALL, .one_wavelength = true};
+static const struct analysis_policy policy = {.wavelengths = WAVELENGTHS_PRIMARY,
+                                              .fields = FIELDS_ALL,
+                                              .one_wavelength = true,
+                                              .is_narrow = true};
 
 static const struct option options[] = {
     ANALYSIS_OPTIONS(LENS_PRIMARY_WAVELENGTH, ""),
@@ -299,6 +301,7 @@ static const struct example examples[] = {
 
 const struct command command_field = {
     .name = "field",
+    .stop_size_wants = "",
     .summary = "field curvature and astigmatism: tangential and sagittal foci",
     COMMAND_ASKS(struct field_input),
     COMMAND_ANSWERS(struct field_row),

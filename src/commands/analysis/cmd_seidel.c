@@ -32,7 +32,8 @@ struct seidel_case {
 static const struct analysis_policy policy = {.wavelengths = WAVELENGTHS_PRIMARY,
                                               .fields = FIELDS_EDGE,
                                               .one_wavelength = true,
-                                              .no_image = true};
+                                              .no_image = true,
+                                              .is_narrow = true};
 
 static const struct word forms[] = {
     [FORM_WELFORD] = {"welford", "the Seidel sums S1 .. S5 and C1, C2, mm"},
@@ -478,6 +479,7 @@ static double seidel_weight(const void *data)
 
 const struct command command_seidel = {
     .name = "seidel",
+    .stop_size_wants = "",
     .group = "analyses",
     .summary = "third-order aberrations and colour, surface by surface",
     COMMAND_ASKS(struct seidel_input),

@@ -8,10 +8,14 @@
 
 /* -------- the lens beside the projection that is asked for -------- */
 
-const struct analysis_policy distortion_by_field = {
-    .wavelengths = WAVELENGTHS_PRIMARY, .fields = FIELDS_ALL, .one_wavelength = true};
-const struct analysis_policy distortion_as_whole = {
-    .wavelengths = WAVELENGTHS_PRIMARY, .fields = FIELDS_EDGE, .one_wavelength = true};
+const struct analysis_policy distortion_by_field = {.wavelengths = WAVELENGTHS_PRIMARY,
+                                                    .fields = FIELDS_ALL,
+                                                    .one_wavelength = true,
+                                                    .is_narrow = true};
+const struct analysis_policy distortion_as_whole = {.wavelengths = WAVELENGTHS_PRIMARY,
+                                                    .fields = FIELDS_EDGE,
+                                                    .one_wavelength = true,
+                                                    .is_narrow = true};
 
 enum { KEPT = 16 };
 

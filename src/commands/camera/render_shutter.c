@@ -79,7 +79,7 @@ static bool find_stopped(const struct render_input *input, const struct analysis
         !render_stopped(input, one, input->question.fnumber, arena, &asked, error)) {
         return false;
     }
-    const double share = fabs(asked.first.stop_radius / own.first.stop_radius);
+    const double share = fabs(setup_stop_radius(&asked) / setup_stop_radius(&own));
     *stopped = share < 1 ? share : 1; /* NaN: the lens has no aperture but that of -N */
     return true;
 }

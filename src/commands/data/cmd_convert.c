@@ -5,6 +5,7 @@
 #include "commands/lens/lens_options.h"
 #include "commands/tables.h"
 #include "exchange/lens_formats.h"
+#include "exchange/lens_open.h"
 #include "file/lens_change.h"
 #include "file/lens_glass.h"
 #include "file/lens_unit.h"
@@ -242,6 +243,7 @@ static bool convert(struct conversion *conversion, const struct foreign_format *
     if (!lens_check(lens, arena, &warnings, error)) {
         return error_prefix(error, "%s: ", input->lens.source);
     }
+    lens_set_stop_size(lens, input->lens.db->stop_size);
     if (!convert_change(conversion, error)) {
         return false;
     }

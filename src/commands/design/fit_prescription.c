@@ -285,7 +285,8 @@ bool fit_save_prescription(const struct artifact_job *job, struct output *sink, 
 
 bool fit_prescription(const struct fit_input *input, struct run *run, struct error *error)
 {
-    static const struct lens_policy policy = {.wavelengths = WAVELENGTHS_PRIMARY};
+    static const struct lens_policy policy = {.wavelengths = WAVELENGTHS_PRIMARY,
+                                              .is_narrow = true};
     struct lens_question question = input->question;
     question.field = question.field_x = NAN;
     struct lens_cursor at = lens_begin(&question, &policy, run->arena);

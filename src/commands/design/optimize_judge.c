@@ -403,6 +403,25 @@ static void judge_end(struct optimize_job *job)
     }
 }
 
+/* A stop of the size of the paraxial marginal ray, where that is not the beam's. */
+static void warn_of_stop(struct optimize_job *job)
+{
+    const char *said = NULL;
+    for (size_t i = 0; i < job->merit.place_count && !job->merit.question.from_entrance; i++) {
+        const struct merit_place *place = &job->merit.places[i];
+        struct setup setup;
+        struct error ignored;
+        const char *warning = optimize_open_setup(job, job->found, i, place->setup.wavelengths, 1,
+                                                  true, &setup, &ignored)
+                                  ? setup_stop_warning(&setup, job->run->arena)
+                                  : NULL;
+        if (warning != NULL && said == NULL) {
+            said = warning;
+            optimize_warn(job, "%s", warning);
+        }
+    }
+}
+
 /* Radii that no plate was found for. */
 static void judge_plates(struct optimize_job *job)
 {
@@ -505,6 +524,7 @@ bool optimize_judge(struct optimize_job *job, struct error *error)
     warn_of_glasses(job);
     warn_of_missed_contrast(job);
     warn_of_contrast(job);
+    warn_of_stop(job);
     warn_of_iterations(job);
     judge_end(job);
     judge_plates(job);

@@ -34,8 +34,8 @@ static const struct word focusings[] = {
     {NULL, NULL},
 };
 
-static const struct lens_policy policy = {.wavelengths = WAVELENGTHS_PRIMARY,
-                                          .fields = FIELDS_LARGEST};
+static const struct lens_policy policy = {
+    .wavelengths = WAVELENGTHS_PRIMARY, .fields = FIELDS_LARGEST, .is_narrow = true};
 
 #define INPUT struct conjugate_input
 
@@ -425,6 +425,7 @@ static const struct example examples[] = {
 
 const struct command command_conjugate = {
     .name = "conjugate",
+    .stop_size_wants = "",
     COMMAND_OF(
         "a lens",
         "object and image anywhere, in any medium; focusing by moving the lens or changing gaps"),

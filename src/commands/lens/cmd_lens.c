@@ -7,8 +7,10 @@ struct lens_input {
     struct lens_question question;
 };
 
-static const struct lens_policy policy = {
-    .wavelengths = WAVELENGTHS_ALL, .fields = FIELDS_LARGEST, .telecentric = true};
+static const struct lens_policy policy = {.wavelengths = WAVELENGTHS_ALL,
+                                          .fields = FIELDS_LARGEST,
+                                          .telecentric = true,
+                                          .is_narrow = true};
 
 #define INPUT struct lens_input
 
@@ -144,6 +146,7 @@ static const struct example examples[] = {
 
 const struct command command_lens = {
     .name = "lens",
+    .stop_size_wants = "",
     COMMAND_OF("a lens", "first-order data: focal length, cardinal points, pupils"),
     .run = lens_run,
     .makes_many = lens_command_makes_many,

@@ -8,8 +8,10 @@ struct matrix_input {
     bool perspective;
 };
 
-static const struct lens_policy policy = {
-    .wavelengths = WAVELENGTHS_ALL, .fields = FIELDS_LARGEST, .telecentric = true};
+static const struct lens_policy policy = {.wavelengths = WAVELENGTHS_ALL,
+                                          .fields = FIELDS_LARGEST,
+                                          .telecentric = true,
+                                          .is_narrow = true};
 
 #define INPUT struct matrix_input
 
@@ -172,6 +174,7 @@ static const struct example examples[] = {
 
 const struct command command_matrix = {
     .name = "matrix",
+    .stop_size_wants = "",
     COMMAND_OF("a lens", "refraction and transfer matrices, and the 4x4 of the thick lens"),
     .run = matrix_run,
     .choose_sheet = matrix_choose_sheet,

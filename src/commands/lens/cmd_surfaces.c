@@ -7,8 +7,10 @@ struct surfaces_input {
     struct lens_question question;
 };
 
-static const struct lens_policy policy = {
-    .wavelengths = WAVELENGTHS_PRIMARY, .fields = FIELDS_LARGEST, .telecentric = true};
+static const struct lens_policy policy = {.wavelengths = WAVELENGTHS_PRIMARY,
+                                          .fields = FIELDS_LARGEST,
+                                          .telecentric = true,
+                                          .is_narrow = true};
 
 #define INPUT struct surfaces_input
 
@@ -187,6 +189,7 @@ static double surfaces_weight(const void *data)
 
 const struct command command_surfaces = {
     .name = "surfaces",
+    .stop_size_wants = "",
     COMMAND_OF("a lens", "a lens surface by surface: powers, vergences, paraxial rays"),
     .run = surfaces_run,
     .makes_many = command_always_many,

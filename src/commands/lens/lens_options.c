@@ -259,6 +259,7 @@ static bool lens_cursor_open(struct lens_cursor *at, size_t position, struct err
         .field_count = count,
         .field_policy = policy->fields,
         .takes_telecentric = policy->telecentric,
+        .leaves_stop = policy->is_narrow,
     };
     fields[0] = lens_field(FIELD_ANGLE, question->field_x, question->field, question->section);
     /* Two angles have tangents only below 90 degrees. */
@@ -273,8 +274,11 @@ static bool lens_cursor_open(struct lens_cursor *at, size_t position, struct err
         (policy->focus != NULL && !lens_place_image(setup, policy->focus, error))) {
         return false;
     }
-    at->one = (struct lens_case){.setup = setup,
-                                 .warning = lens_options_warning_of(question, position, setup)};
+    const char *stop = policy->is_narrow ? NULL : setup_stop_warning(setup, arena);
+    at->one =
+        (struct lens_case){.setup = setup,
+                           .warning = lens_warnings_join(
+                               lens_options_warning_of(question, position, setup), stop, arena)};
     return true;
 }
 

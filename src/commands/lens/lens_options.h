@@ -28,6 +28,7 @@ struct lens_policy {
     enum field_policy fields;
     bool telecentric;                /* it has answers for a telecentric object space */
     const struct plane_value *focus; /* what --focus says; null: no image plane is needed */
+    bool is_narrow;                  /* as of the command: how wide the stop is does not count */
 };
 
 /* One lens in one position at one wavelength. */

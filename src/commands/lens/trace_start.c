@@ -62,6 +62,7 @@ bool ray_case_open(const struct ray_question *question, size_t position, double 
         return false;
     }
     one->warning = lens_warnings_join(question->lens.warning, one->setup.warning, arena);
+    one->warning = lens_warnings_join(one->warning, setup_stop_warning(&one->setup, arena), arena);
     if (one->clip) {
         one->warning = lens_warnings_join(
             one->warning, setup_width_warning(&one->setup, question->fnumber, arena), arena);

@@ -97,7 +97,9 @@ bool by_rays_open(const struct photo_lens_question *question, const struct photo
     if (!real_focus_open(&seen, run->arena, focus, error)) {
         return false;
     }
-    const char *width = setup_width_warning(&setup, seen.lens.fnumber, run->arena);
+    const char *width =
+        lens_warnings_join(setup_width_warning(&setup, seen.lens.fnumber, run->arena),
+                           setup_stop_warning(&setup, run->arena), run->arena);
     const char *said = lens->real->warning;
     if (width != NULL && (said == NULL || strstr(said, width) == NULL)) {
         warnings_add(run->doubts, "%s", width);

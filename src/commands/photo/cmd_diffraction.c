@@ -383,6 +383,7 @@ PHOTO_LENS_MAKES_MANY(lens)
 
 const struct command command_diffraction = {
     .name = "diffraction",
+    .stop_size_wants = "",
     COMMAND_OF("photography",
                "Airy disc, contrast (MTF), and the f-number where diffraction takes over"),
     .run = diffraction_run,

@@ -441,6 +441,7 @@ BY_RAYS_WEIGHT(lens.rays)
 
 const struct command command_dof = {
     .name = "dof",
+    .stop_size_wants = "exact",
     COMMAND_OF("photography", "depth of field, and the settings for a wanted one"),
     .run = dof_run,
     COMMAND_MAKES(artifacts),

@@ -202,6 +202,7 @@ PHOTO_LENS_MAKES_MANY(lens)
 
 const struct command command_equivalent = {
     .name = "equivalent",
+    .stop_size_wants = "",
     COMMAND_OF("photography",
                "focal length, f-number and ISO of the same picture on another format"),
     .run = equivalent_run,

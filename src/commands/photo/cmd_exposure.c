@@ -398,6 +398,7 @@ BY_RAYS_WEIGHT(lens.rays)
 
 const struct command command_exposure = {
     .name = "exposure",
+    .stop_size_wants = "exact",
     COMMAND_OF("photography", "aperture, time, speed and light, each from the others"),
     .run = exposure_run,
     .makes_many = exposure_makes_many,

@@ -437,6 +437,7 @@ BY_RAYS_WEIGHT(lens.rays)
 
 const struct command command_focus = {
     .name = "focus",
+    .stop_size_wants = "exact",
     .group = "photography",
     .summary = "conjugate distances, magnification, close-up attachments, exposure factor",
     COMMAND_ASKS(struct focus_input),

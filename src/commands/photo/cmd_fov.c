@@ -515,6 +515,7 @@ BY_RAYS_WEIGHT(lens.rays)
 
 const struct command command_fov = {
     .name = "fov",
+    .stop_size_wants = "exact",
     COMMAND_OF("photography", "field of view, and the focal length for a wanted one"),
     .run = fov_run,
     .makes_many = makes_many,

@@ -239,6 +239,7 @@ BY_RAYS_WEIGHT(lens.rays)
 
 const struct command command_hyperfocal = {
     .name = "hyperfocal",
+    .stop_size_wants = "exact",
     COMMAND_OF("photography", "hyperfocal distance and its near limit"),
     .run = hyperfocal_run,
     .makes_many = makes_many,

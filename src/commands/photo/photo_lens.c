@@ -17,8 +17,8 @@ bool photo_lens_varies(const struct photo_lens_question *question, const char *o
 }
 
 /* Of its fields nothing is used. */
-static const struct lens_policy policy = {.wavelengths = WAVELENGTHS_PRIMARY,
-                                          .fields = FIELDS_LARGEST};
+static const struct lens_policy policy = {
+    .wavelengths = WAVELENGTHS_PRIMARY, .fields = FIELDS_LARGEST, .is_narrow = true};
 
 /* What the lens is in a position, worked out once as long as nothing changes. */
 static bool photo_lens_find(const struct photo_lens_question *question, size_t position,

@@ -329,7 +329,7 @@ bool ray_data_open(const struct ray_data_request *request, struct arena *arena,
         return false;
     }
     tracing->has_stop = tracing->all->open->stop != LENS_NONE && first->stop_radius > 0;
-    tracing->radius = tracing->has_stop ? first->stop_radius : first->entrance_diameter / 2;
+    tracing->radius = tracing->has_stop ? setup_stop_radius(setup) : first->entrance_diameter / 2;
     if (!(fabs(tracing->radius) > 0 && isfinite(tracing->radius))) {
         fail(
             error, ERROR_DOMAIN,

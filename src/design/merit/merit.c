@@ -8,6 +8,7 @@
 #include "design/merit/merit_mtf.h"
 #include "design/merit/merit_paraxial.h"
 #include "design/merit/merit_rays.h"
+#include "design/merit/merit_rim.h"
 #include "design/solver/solver_loss.h"
 
 #include <math.h>
@@ -132,7 +133,15 @@ bool merit_open(const struct merit_question *question, struct arena *arena, stru
 {
     merit_begin(merit, question, arena);
     merit->kinds = kinds;
-    if (!merit_places_open(merit, arena, error) || !open_slots(merit, arena, error)) {
+    if (!merit_places_open(merit, arena, error)) {
+        return false;
+    }
+    for (size_t i = 0; i < merit->place_count; i++) {
+        if (!merit_rim_open(merit, i, arena, error)) {
+            return false;
+        }
+    }
+    if (!open_slots(merit, arena, error)) {
         return false;
     }
     for (size_t i = 0; i < merit->slot_count; i++) {
@@ -176,6 +185,11 @@ bool merit_measure(void *context, const double *parameters, double *residuals, d
 {
     struct merit *merit = context;
     merit_put_lens(merit, parameters, jacobian != NULL);
+    for (size_t i = 0; i < merit->place_count; i++) {
+        if (merit->places[i].rim != NULL) {
+            merit_rim_find(merit, i);
+        }
+    }
     if (jacobian != NULL) {
         memset(jacobian, 0, merit->residual_count * merit->variable_count * sizeof(double));
     }

@@ -112,6 +112,17 @@ static bool find_spheres(struct merit *merit, const struct merit_slot *slot,
     return merit_spheres_find(spheres, &beams->links[0], merit->derives, &merit->why);
 }
 
+/* Figures by a column, the stop as wide as rays fill it. */
+static struct dual_first first_with_stop(const struct merit_place *place,
+                                         const struct merit_figures *figures, size_t column)
+{
+    struct dual_first first = figures[column].first;
+    if (place->stop != NULL) {
+        first.stop_radius = place->stop[column];
+    }
+    return first;
+}
+
 bool merit_beams_aim(struct merit *merit, const struct merit_slot *slot, struct merit_beams *beams)
 {
     struct merit_bundle *bundle = &beams->bundle;
@@ -120,14 +131,23 @@ bool merit_beams_aim(struct merit *merit, const struct merit_slot *slot, struct 
     if (merit->forgets) {
         merit_bundle_forget(bundle);
     }
-    if ((figures == NULL && !is_bare) ||
-        !merit_bundle_aim(bundle, merit->places[slot->place].lens,
-                          is_bare ? NULL : &figures[0].first, &merit->why)) {
+    const struct merit_place *place = &merit->places[slot->place];
+    if (figures == NULL && !is_bare) {
+        return false;
+    }
+    struct dual_first first = {0};
+    if (!is_bare) {
+        first = first_with_stop(place, figures, 0);
+    }
+    if (!merit_bundle_aim(bundle, place->lens, is_bare ? NULL : &first, &merit->why)) {
         return false;
     }
     for (size_t j = 0; merit->derives && j < merit->variable_count; j++) {
-        bundle->rates[j] = is_bare ? (struct bundle_rate){0, 0, 0, 0}
-                                   : merit_bundle_rate(bundle, &figures[j].first);
+        bundle->rates[j] = (struct bundle_rate){0, 0, 0, 0};
+        if (!is_bare) {
+            first = first_with_stop(place, figures, j);
+            bundle->rates[j] = merit_bundle_rate(bundle, &first);
+        }
     }
     if (merit->derives && merit->question.by != NULL && bundle->image_moves) {
         bundle->rates[0].image += 1; /* where it is a distance, a link has it */

@@ -70,7 +70,8 @@ static bool open_place(const struct merit *merit, size_t position, struct arena 
                                          .fields = question->fields,
                                          .field_count = question->field_count,
                                          .field_policy = FIELDS_ALL,
-                                         .takes_telecentric = true};
+                                         .takes_telecentric = true,
+                                         .leaves_stop = true};
     *place = (struct merit_place){.position = position};
     place->lens = lens_at_position(question->lens, position, arena);
     place->aperture = isnan(question->fnumber)

@@ -89,6 +89,9 @@ struct merit_place {
     unsigned long reached;     /* the evaluation that it is of */
     struct merit_beams *edges; /* the rays of merit_reach; null: it is paraxial */
     struct merit_graze *graze; /* rays near loss; null: they do not count */
+    struct merit_beams *rim;   /* the ray that sizes the stop; null: the paraxial one does */
+    struct dual *rim_radius;   /* room for its height there, one a column; and that, by */
+    const struct dual *stop;   /* merit_rim_find; null: the radius is the paraxial one */
 };
 
 /* One operand in one position: consecutive residuals. */
