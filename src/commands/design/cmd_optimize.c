@@ -61,7 +61,9 @@ static const struct option options[] = {
     DESIGN_VIEW_OPTIONS(struct optimize_input, "the positions that are optimised together"),
     {OPTION(struct optimize_input, aim), .name = "aim", .words = analysis_aims, .fallback = "stop",
      .value = "WHERE", .help = "pupil that the ray points lie in"},
-    DESIGN_RAYS_OPTIONS(struct optimize_input, "36"),
+    DESIGN_RAYS_OPTIONS(struct optimize_input,
+                        .help = "approximate number of rays per field and wavelength; default 36, "
+                                "and more where more see otherwise"),
     {OPTION(struct optimize_input, seed), .name = "seed", .lowest = 0, .highest = 1e9,
      .fallback = "0", .value = "NUMBER", .wants = "global|start|pattern=sobol",
      .help = "seed of the starts of --global and of the sobol pattern"},

@@ -18,12 +18,12 @@
               .help = positions "; default all"),                                                  \
         LENS_FNUMBER_OPTION(S, question), LENS_SECTION_OPTION(S, question)
 
-#define DESIGN_RAYS_OPTIONS(S, usual_rays)                                                         \
+/* `...`: how many rays there are where nobody says it. */
+#define DESIGN_RAYS_OPTIONS(S, ...)                                                                \
     ENTRY(OPTION(S, pattern), .name = "pattern", .words = patterns, .fallback = "gauss",           \
           .value = "PATTERN", .help = "sampling pattern of the pupil"),                            \
-        ENTRY(OPTION(S, rays), .name = "rays", .lowest = 1, .highest = 1e5,                        \
-              .fallback = usual_rays, .value = "COUNT",                                            \
-              .help = "approximate number of rays per field and wavelength")
+        ENTRY(OPTION(S, rays), .name = "rays", .lowest = 1, .highest = 1e5, .value = "COUNT",      \
+              __VA_ARGS__)
 
 /* What a lens that is written says of how it was found; null: nothing. */
 void design_note(struct lens *lens, const char *note, struct arena *arena);

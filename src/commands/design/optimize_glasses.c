@@ -242,6 +242,7 @@ bool optimize_glasses_choose(struct optimize_job *job, struct error *error)
         optimize_answer_join(job, &choice->answer, choice->origin, choice->variables.count);
         job->found = choice->lens;
         job->merit = choice->merit;
+        job->look = NULL;
     }
     job->answer.summary.evaluations += choice->evaluations;
     job->answer.summary.iterations += choice->iterations;

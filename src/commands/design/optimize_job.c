@@ -87,6 +87,8 @@ static bool optimize_errors(struct optimize_job *job, const struct goals *goals,
 
 /* -------- the job -------- */
 
+enum { USUAL_RAYS = 36 };
+
 static bool open_variables(struct optimize_job *job, struct error *error)
 {
     struct arena *arena = job->run->arena;
@@ -157,7 +159,7 @@ static bool optimize_open(struct optimize_job *job, struct merit_question *quest
     question->from_entrance = input->aim == ANALYSIS_AIM_ENTRANCE;
     question->clip = input->clip;
     question->pattern = (enum pattern)input->pattern;
-    question->rays = (size_t)input->rays;
+    question->rays = input->rays > 0 ? (size_t)input->rays : USUAL_RAYS;
     question->seed = (uint64_t)input->seed;
     const bool is_own = input->goals == NULL && lens->goal_count > 0;
     job->goals = input->goals;
@@ -228,9 +230,11 @@ bool optimize_job_run(struct optimize_job *job, struct error *error)
         return false;
     }
     job->found = variables_lens(&job->variables, job->answer.after.numbers, arena);
+    optimize_refine(job);
     if (!optimize_glasses_choose(job, error) || !optimize_plates_fit(job, error)) {
         return false;
     }
     job->is_late = !watch_is_ended(job->run->watch) && progress_clock() >= job->until;
+    optimize_warn_of_look(job);
     return optimize_judge(job, error);
 }

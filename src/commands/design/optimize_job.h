@@ -5,6 +5,7 @@
 
 #include "cli/options/goals.h"
 #include "commands/design/design.h"
+#include "design/closer_look.h"
 #include "design/glass_choice.h"
 #include "design/optimize.h"
 #include "design/optimize_global.h"
@@ -31,9 +32,10 @@ struct optimize_input {
     const char *vary, *hold, *goals, *no_goal, *glasses, *plates, *grade, *tolerances;
     const char *start; /* words of a lens from nothing; null: from the lens */
     int show, solver, aim, pattern;
-    long rays, seed, iterations; /* iterations: 0 = as many as it takes */
-    long threads;                /* 0: one per core */
-    long global, keep, escapes;  /* global: 0 = from the lens alone */
+    long rays,                  /* 0: the usual ones, or more where these see too little */
+        seed, iterations;       /* iterations: 0 = as many as it takes */
+    long threads;               /* 0: one per core */
+    long global, keep, escapes; /* global: 0 = from the lens alone */
     double spread;
     struct part part; /* count 0: all of it */
     double seconds;   /* NaN = as long as it takes */
@@ -62,6 +64,7 @@ struct optimize_job {
     const struct plate_choice *fitted; /* to them; null: there are none */
     const char *unfitted;              /* radii that are not, and why; null: all are */
     struct optimize_answer answer;
+    const struct closer_look *look; /* at the answer; null: not yet */
     const struct lens *found;
     const char *status, *warning; /* null: nothing is doubtful */
     const char *incomplete;       /* why it is not the best, in words; null: it is */
@@ -168,6 +171,20 @@ double optimize_variable_in(const struct optimize_job *job, const struct lens *l
 
 /* What there is to say of it: the glass or plate that it became, or its bound; null: nothing. */
 const char *optimize_variable_note(const struct optimize_job *job, size_t which, bool *is_at_bound);
+
+/* -------- optimize_refine.c: more rays and fields than were asked for -------- */
+
+/*
+ * After an answer: where twice the rays, or fields between, see a lens that is worse than the merit
+ * has it, it goes on with more of them, unless the command says how many there are, up to three
+ * times; what was seen is a warning. The merit is that of the last.
+ *
+ * Result    did it?
+ */
+bool optimize_refine(struct optimize_job *job);
+
+/* The same of the lens that was found, with what is to be asked for. */
+void optimize_warn_of_look(struct optimize_job *job);
 
 /* The rows of --show. */
 extern const struct sheet *const optimize_sheets[];

@@ -460,7 +460,7 @@ static void set_diameters(struct optimize_job *job)
 /* A descent that ended while it still gained, and how it goes on. */
 static void warn_of_iterations(struct optimize_job *job)
 {
-    enum { LAST = 10 };
+    enum { LAST = 10, FURTHER = 5 };
     static const double least = 1e-5; /* of the merit, an iteration */
     const struct optimize_answer *answer = &job->answer;
     if (answer->summary.status != SOLVER_LIMIT || answer->history_count <= LAST + 1) {
@@ -473,7 +473,8 @@ static void warn_of_iterations(struct optimize_job *job)
         optimize_warn(job,
                       "it still gained %.2g %% of the merit an iteration when it was ended: "
                       "--iterations %ld goes on",
-                      100 * gain, 5 * answer->summary.iterations);
+                      100 * gain,
+                      FURTHER * (job->input->iterations > 0 ? job->input->iterations : 200));
     }
 }
 

@@ -198,6 +198,7 @@ bool optimize_plates_fit(struct optimize_job *job, struct error *error)
         optimize_answer_join(job, &fitted->answer, fitted->origin, fitted->variables.count);
         job->found = fitted->lens;
         job->merit = fitted->merit;
+        job->look = NULL;
     }
     job->answer.summary.evaluations += fitted->evaluations;
     job->answer.summary.iterations += fitted->iterations;

@@ -182,10 +182,21 @@ static void search_drop_before(struct optimize_job *one)
     }
 }
 
+/* The merit of a field, of which some lenses were judged by more. */
+static double merit_of_field(const struct optimize_job *job)
+{
+    const struct setup *setup = &job->merit.places[0].setup;
+    double weights = setup->field_count > 0 ? 0 : 1;
+    for (size_t i = 0; i < setup->field_count; i++) {
+        weights += setup->fields[i].weight;
+    }
+    return job->answer.after.merit / weights;
+}
+
 static bool is_better_job(const struct optimize_job *a, const struct optimize_job *b)
 {
     const double missed = a->answer.summary.excess - b->answer.summary.excess;
-    return missed < 0 || (missed == 0 && a->answer.after.merit < b->answer.after.merit);
+    return missed < 0 || (missed == 0 && merit_of_field(a) < merit_of_field(b));
 }
 
 /*
@@ -205,26 +216,37 @@ static size_t list_kept(struct optimize_job *job, const struct global_kept *kept
         one->warning = NULL;
         one->answer = kept[i].answer;
         optimize_start_layout(one, kept[i].start);
+        one->found = variables_lens(&one->variables, one->answer.after.numbers, job->run->arena);
+        one->hits = (long)kept[i].hits;
+        const double now = progress_clock();
+        one->task =
+            (struct optimize_task){.merit = &one->merit,
+                                   .iterations = job->is_late ? CUT_ITERATIONS : LAST_ITERATIONS,
+                                   .goes_on = optimize_search_goes_on,
+                                   .context = one};
+        one->until = job->is_late || isinf(until)
+                         ? INFINITY
+                         : now + fmax(until - now, 0) / (double)(count - i);
+        const bool is_made = job->input->glasses != NULL || job->input->plates != NULL;
+        const bool is_refined = job->incomplete == NULL && optimize_refine(one);
         if (job->start != NULL) {
             search_drop_before(one);
         }
-        one->found = variables_lens(&one->variables, kept[i].answer.after.numbers, job->run->arena);
-        one->hits = (long)kept[i].hits;
-        if (job->input->glasses == NULL && job->input->plates == NULL) {
-            found++;
-            continue;
-        }
-        const double now = progress_clock();
-        one->task = (struct optimize_task){.iterations = job->global->iterations,
-                                           .goes_on = optimize_search_goes_on,
-                                           .context = one};
         one->until = isinf(until) ? until : now + fmax(until - now, 0) / (double)(count - i);
+        one->task.iterations = job->global->iterations;
         if (!optimize_glasses_choose(one, error) || !optimize_plates_fit(one, error)) {
             continue;
         }
-        one->is_late = job->is_late || (!watch_is_ended(watch) && progress_clock() >= one->until);
-        job->evaluations += one->choice != NULL ? one->choice->evaluations : 0;
-        job->evaluations += one->fitted != NULL ? one->fitted->evaluations : 0;
+        if (!is_made && !is_refined) {
+            found++;
+            continue;
+        }
+        if (is_made) {
+            one->is_late =
+                job->is_late || (!watch_is_ended(watch) && progress_clock() >= one->until);
+            job->evaluations += one->choice != NULL ? one->choice->evaluations : 0;
+            job->evaluations += one->fitted != NULL ? one->fitted->evaluations : 0;
+        }
         const struct optimize_job done = *one;
         size_t at = found++;
         for (; at > 0 && is_better_job(&done, &all[at - 1]); at--) {
@@ -258,6 +280,7 @@ static bool keep_lenses(struct optimize_job *job, double until, struct error *er
         struct optimize_job *one = &job->kept[job->kept_count];
         *one = job->kept[i];
         one->rank = (long)job->kept_count + 1;
+        optimize_warn_of_look(one);
         const bool is_lens = optimize_judge(one, error);
         if (!is_lens || one->rank > 1) {
             *shortfall = before; /* what the best lacks counts */

@@ -234,3 +234,23 @@ bool merit_fill_rays(struct merit *merit, const struct merit_slot *slot, double 
     memcpy(merit->values + slot->first, residuals, slot->count * sizeof *residuals);
     return true;
 }
+
+void merit_rays_squares(const struct merit_slot *slot, const double *residuals, double *squares)
+{
+    const struct merit_rays *rays = slot->own;
+    const struct merit_bundle *bundle = &rays->beams.bundle;
+    const double unit = slot->operand->deviation * slot->operand->deviation;
+    for (size_t field = 0; field < bundle->wish.field_count; field++) {
+        double sum = 0, weights = 0;
+        for (size_t g = 0; g < bundle->group_count; g++) {
+            const struct bundle_group *group = &bundle->groups[g];
+            const size_t outputs = (size_t)(rays->outputs - first_output(rays, group));
+            const double *from = residuals + group->row;
+            for (size_t i = 0; i < group->points.count * outputs && group->field == field; i++) {
+                sum += from[i] * from[i];
+            }
+            weights += group->field == field ? group->weight : 0;
+        }
+        squares[field] = weights > 0 ? unit * sum / weights : 0;
+    }
+}

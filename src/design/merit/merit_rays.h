@@ -27,4 +27,12 @@
 merit_fill merit_fill_rays;
 merit_prepare merit_prepare_rays;
 
+/*
+ * Mean squares of the spots or wave fronts of each field, of all wavelengths by their weights.
+ *
+ * Given     residuals  of the slot, as merit_fill_rays has filled them last
+ *           squares    receives one a field of the bundle's wish: mm^2, or wavelengths^2
+ */
+void merit_rays_squares(const struct merit_slot *slot, const double *residuals, double *squares);
+
 #endif
