@@ -180,11 +180,15 @@ bool optimize_refine(struct optimize_job *job)
         struct closer_look look;
         struct merit_question question;
         const struct optimize_job was = *job;
-        if (job->task.goes_on != NULL && !job->task.goes_on(job->task.context)) {
+        const bool is_ended = /* by whom it was told how far it may go */
+            job->input->iterations > 0 && job->answer.summary.status == SOLVER_LIMIT;
+        if (is_ended || (job->task.goes_on != NULL && !job->task.goes_on(job->task.context))) {
             break;
         }
         look = *optimize_look_closer(job);
-        const bool rays = look.rays.operand != NULL && may_have_rays(job);
+        /* rays that are lost whatever was done before are lost for good */
+        const bool rays = look.rays.operand != NULL && may_have_rays(job) &&
+                          (round == 0 || isfinite(look.rays.is));
         const bool fields = look.fields.operand != NULL && may_have_fields(job);
         if (!rays && !fields) {
             break;

@@ -199,6 +199,22 @@ static bool is_better_job(const struct optimize_job *a, const struct optimize_jo
     return missed < 0 || (missed == 0 && merit_of_field(a) < merit_of_field(b));
 }
 
+/* By more rays and fields, where they see another lens; late a little, however late it is. */
+static bool refine_kept(const struct optimize_job *job, struct optimize_job *one, double end)
+{
+    one->task =
+        (struct optimize_task){.merit = &one->merit,
+                               .iterations = job->is_late ? CUT_ITERATIONS : LAST_ITERATIONS,
+                               .goes_on = optimize_search_goes_on,
+                               .context = one};
+    one->until = job->is_late ? INFINITY : end;
+    const bool is_refined = job->incomplete == NULL && optimize_refine(one);
+    if (job->start != NULL) {
+        search_drop_before(one);
+    }
+    return is_refined;
+}
+
 /*
  * The lenses of the last descents, each a job of its own, the best first. With --glasses each ends
  * with real ones, which may be another order; of what is left of the time each has its share.
@@ -218,21 +234,11 @@ static size_t list_kept(struct optimize_job *job, const struct global_kept *kept
         optimize_start_layout(one, kept[i].start);
         one->found = variables_lens(&one->variables, one->answer.after.numbers, job->run->arena);
         one->hits = (long)kept[i].hits;
-        const double now = progress_clock();
-        one->task =
-            (struct optimize_task){.merit = &one->merit,
-                                   .iterations = job->is_late ? CUT_ITERATIONS : LAST_ITERATIONS,
-                                   .goes_on = optimize_search_goes_on,
-                                   .context = one};
-        one->until = job->is_late || isinf(until)
-                         ? INFINITY
-                         : now + fmax(until - now, 0) / (double)(count - i);
         const bool is_made = job->input->glasses != NULL || job->input->plates != NULL;
-        const bool is_refined = job->incomplete == NULL && optimize_refine(one);
-        if (job->start != NULL) {
-            search_drop_before(one);
-        }
-        one->until = isinf(until) ? until : now + fmax(until - now, 0) / (double)(count - i);
+        const double now = progress_clock();
+        const double end = isinf(until) ? until : now + fmax(until - now, 0) / (double)(count - i);
+        const bool is_refined = refine_kept(job, one, end);
+        one->until = end;
         one->task.iterations = job->global->iterations;
         if (!optimize_glasses_choose(one, error) || !optimize_plates_fit(one, error)) {
             continue;
