@@ -264,6 +264,12 @@ bool foreign_write(struct foreign_job *job, const struct foreign_format *format,
         if (lens->tolerance_count > 0) {
             foreign_lose(job, LOSS_OF_NOTHING, "left out", "tolerances in a %s file", ending);
         }
+        if (lens->stop_is_real && lens->aperture_kind > APERTURE_STOP) {
+            foreign_lose(job, LOSS_OF_VIGNETTING, "left out",
+                         "the word 'real' of the aperture: a %s file does not say which marginal "
+                         "ray sizes the stop",
+                         ending);
+        }
         if (is_marked) {
             foreign_lose(job, LOSS_OF_NOTHING, "left out",
                          "marks of what varies in a position in a %s file", ending);

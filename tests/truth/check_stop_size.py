@@ -137,6 +137,7 @@ def check_design(checks, program):
 REFUSED = [(("lens",), b"traces no rays that fill the stop"),
            (("seidel",), b"traces no rays that fill the stop"),
            (("dof", "-s", "3", "-N", "8", "--lens"), b"needs --exact"),
+           (("convert", "--to", "zmx"), b"the word 'real' of the aperture"),
            (("convert", "--reverse"), b"the stop has the size of a real ray"),
            (("spot", "-N", "1.2"), b"the marginal ray of the aperture is lost at surface")]
 

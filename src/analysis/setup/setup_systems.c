@@ -108,7 +108,7 @@ const char *setup_stop_warning(const struct setup *setup, struct arena *arena)
 {
     double real;
     struct error ignored;
-    if (!isnan(setup->real_stop) || setup->first.is_telecentric ||
+    if (setup->lens->stop_is_real || setup->first.is_telecentric ||
         !setup_marginal_stop(setup, &real, &ignored) || isnan(real)) {
         return NULL;
     }

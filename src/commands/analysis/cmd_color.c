@@ -281,7 +281,9 @@ static bool color_run(const void *data, struct run *run, struct error *error)
     };
     const struct color_input *input = data;
     const struct lens *lens = input->question.lens.lens;
-    struct analysis_cursor at = analysis_begin(input, &color_policy, run);
+    struct analysis_policy policy = color_policy;
+    policy.is_narrow = input->show != COLOR_BY_ZONE;
+    struct analysis_cursor at = analysis_begin(input, &policy, run);
     if (input->show == COLOR_BY_ZONE && lens != NULL && lens->stop == LENS_NONE &&
         !lens->is_telecentric) {
         return fail(error, ERROR_DOMAIN, "the lens has no stop: its pupil has no zones");

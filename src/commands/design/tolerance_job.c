@@ -220,6 +220,14 @@ static void add_doubts(struct tolerance_job *job)
             (unsigned long long)whole);
         fail(&run->shortfall, ERROR_DOMAIN, "%s", job->incomplete);
     }
+    const struct merit *view = tolerance_view(&job->tolerance);
+    const char *stop = NULL;
+    for (size_t i = 0; i < view->place_count && stop == NULL; i++) {
+        stop = setup_stop_warning(&view->places[i].setup, run->arena);
+    }
+    if (stop != NULL) {
+        warnings_add(run->doubts, "%s", stop);
+    }
     const size_t kept = result->reason_count, all = kept + (result->others.count > 0 ? 1 : 0);
     struct tolerance_reason *reasons =
         ARENA_ARRAY(run->arena, TOLERANCE_REASONS + 1, struct tolerance_reason);
