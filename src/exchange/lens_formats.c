@@ -220,6 +220,32 @@ static const char *endings_with_thick(struct arena *arena)
     return last != NULL ? arena_printf(arena, "%s and %s", endings, last) : endings;
 }
 
+static void foreign_lose_design(struct foreign_job *job, const char *ending,
+                                const struct lens *lens)
+{
+    /* What is wanted, allowed, and varies in a position, where the file has no words for it. */
+    bool is_marked = false;
+    for (size_t j = 0; j < lens->variable_count; j++) {
+        is_marked = is_marked || lens->variables[j].varies != NULL;
+    }
+    if (lens->goal_count > 0) {
+        foreign_lose(job, LOSS_OF_NOTHING, "left out", "goals in a %s file", ending);
+    }
+    if (lens->tolerance_count > 0) {
+        foreign_lose(job, LOSS_OF_NOTHING, "left out", "tolerances in a %s file", ending);
+    }
+    if (lens->stop_is_real && lens->aperture_kind > APERTURE_STOP) {
+        foreign_lose(job, LOSS_OF_VIGNETTING, "left out",
+                     "the word 'real' of the aperture: a %s file does not say which marginal "
+                     "ray sizes the stop",
+                     ending);
+    }
+    if (is_marked) {
+        foreign_lose(job, LOSS_OF_NOTHING, "left out",
+                     "marks of what varies in a position in a %s file", ending);
+    }
+}
+
 bool foreign_write(struct foreign_job *job, const struct foreign_format *format,
                    const struct lens *lens, struct text *text, struct error *error)
 {
@@ -252,28 +278,7 @@ bool foreign_write(struct foreign_job *job, const struct foreign_format *format,
         }
     }
     if (!format->has_design) {
-        /* What is wanted, allowed, and varies in a position, where the file has no words for it. */
-        const char *ending = format->type.ending;
-        bool is_marked = false;
-        for (size_t j = 0; j < lens->variable_count; j++) {
-            is_marked = is_marked || lens->variables[j].varies != NULL;
-        }
-        if (lens->goal_count > 0) {
-            foreign_lose(job, LOSS_OF_NOTHING, "left out", "goals in a %s file", ending);
-        }
-        if (lens->tolerance_count > 0) {
-            foreign_lose(job, LOSS_OF_NOTHING, "left out", "tolerances in a %s file", ending);
-        }
-        if (lens->stop_is_real && lens->aperture_kind > APERTURE_STOP) {
-            foreign_lose(job, LOSS_OF_VIGNETTING, "left out",
-                         "the word 'real' of the aperture: a %s file does not say which marginal "
-                         "ray sizes the stop",
-                         ending);
-        }
-        if (is_marked) {
-            foreign_lose(job, LOSS_OF_NOTHING, "left out",
-                         "marks of what varies in a position in a %s file", ending);
-        }
+        foreign_lose_design(job, format->type.ending, lens);
     }
     return foreign_settle(job, format->write(job, lens, text, error), error);
 }
