@@ -38,14 +38,8 @@ struct global_range optimize_global_range(const struct variables *variables, dou
 
 /* -------- one lens -------- */
 
-/* A merit that no other lens was judged by. */
-struct fresh {
-    struct variables variables;
-    struct merit merit;
-};
-
-static bool open_fresh(const struct merit *like, struct arena *arena, struct fresh *fresh,
-                       struct error *error)
+bool optimize_global_fresh(const struct merit *like, struct arena *arena,
+                           struct global_fresh *fresh, struct error *error)
 {
     struct merit_question question = like->question;
     const struct variables *variables = question.variables;
@@ -124,9 +118,9 @@ bool optimize_global_idle(struct optimize_global *global, struct arena *arena, b
         is_idle[j] = true;
     }
     for (size_t start = 0; start < STARTS_LOOKED_AT && start < global->start_count; start++) {
-        struct fresh fresh;
+        struct global_fresh fresh;
         struct error ignored;
-        if (!open_fresh(merit, arena, &fresh, &ignored)) {
+        if (!optimize_global_fresh(merit, arena, &fresh, &ignored)) {
             continue;
         }
         const struct solver_problem problem = optimize_problem(&fresh.merit);
@@ -221,10 +215,10 @@ static bool global_search_start(struct global_run *searching, size_t start, stru
 {
     const struct optimize_global *global = searching->global;
     struct global_chain chain = {0};
-    struct fresh fresh;
+    struct global_fresh fresh;
     struct error why;
     *result = (struct global_result){.is_done = true};
-    if (!open_fresh(optimize_global_merit(global, start), own, &fresh, &why)) {
+    if (!optimize_global_fresh(optimize_global_merit(global, start), own, &fresh, &why)) {
         result->lost = global_lost_words(why.message, arena);
         return true;
     }
@@ -369,8 +363,7 @@ static struct solver_problem problem_of_start(const struct optimize_global *glob
                                    .scale = merit->question.variables->scale};
 }
 
-/* Do two starts' numbers mean one lens? */
-static bool global_is_one(const struct optimize_global *global, size_t start, const double *numbers,
+bool optimize_global_same(const struct optimize_global *global, size_t start, const double *numbers,
                           size_t other, const double *others)
 {
     const struct solver_problem problem = problem_of_start(global, start);
@@ -384,8 +377,8 @@ static bool kept_is_known(const struct optimize_global *global, const struct glo
 {
     bool found = false;
     for (size_t i = 0; i < count; i++) {
-        found = found ||
-                global_is_one(global, kept[i].start, kept[i].answer.after.numbers, start, numbers);
+        found = found || optimize_global_same(global, kept[i].start, kept[i].answer.after.numbers,
+                                              start, numbers);
     }
     return found;
 }
@@ -395,12 +388,13 @@ size_t optimize_global_keep(struct optimize_global *global, const struct optimiz
 {
     size_t candidates = 0, count = 0, tried = 0;
     for (size_t k = 0; k < global->start_count; k++) {
-        candidates += global->results[k].count;
+        candidates += global->results[k].count + global->results[k].moved_count;
     }
     struct candidate *list = ARENA_ARRAY(arena, candidates + 1, struct candidate), *at = list;
     for (size_t k = 0; k < global->start_count; k++) {
-        for (size_t i = 0; i < global->results[k].count; i++) {
-            *at++ = (struct candidate){&global->results[k].minima[i], k};
+        const struct global_result *result = &global->results[k];
+        for (size_t i = 0; i < result->count + result->moved_count; i++) {
+            *at++ = (struct candidate){global_result_minimum(result, i), k};
         }
     }
     qsort(list, candidates, sizeof *list, optimize_global_compare);
@@ -419,11 +413,12 @@ size_t optimize_global_keep(struct optimize_global *global, const struct optimiz
         }
         tried++;
         /* down to its minimum */
-        struct fresh *fresh = ARENA_NEW(arena, struct fresh);
+        struct global_fresh *fresh = ARENA_NEW(arena, struct global_fresh);
         fine.merit = &fresh->merit;
         one->begun = fine.start;
         one->start = list[i].start;
-        if (!open_fresh(optimize_global_merit(global, one->start), arena, fresh, &ignored) ||
+        if (!optimize_global_fresh(optimize_global_merit(global, one->start), arena, fresh,
+                                   &ignored) ||
             !optimize_run(&fine, arena, &one->answer, &ignored) ||
             kept_is_known(global, kept, count, one->start, one->answer.after.numbers)) {
             continue;
@@ -439,11 +434,12 @@ size_t optimize_global_keep(struct optimize_global *global, const struct optimiz
     for (size_t i = 0; i < count; i++) {
         for (size_t k = 0; k < global->start_count; k++) {
             bool hit = false;
-            for (size_t m = 0; m < global->results[k].count; m++) {
-                const double *found = global->results[k].minima[m].parameters;
+            const struct global_result *result = &global->results[k];
+            for (size_t m = 0; m < result->count + result->moved_count; m++) {
+                const double *found = global_result_minimum(result, m)->parameters;
                 const struct global_kept *one = &kept[i];
-                hit = hit || global_is_one(global, k, found, one->start, one->begun) ||
-                      global_is_one(global, k, found, one->start, one->answer.after.numbers);
+                hit = hit || optimize_global_same(global, k, found, one->start, one->begun) ||
+                      optimize_global_same(global, k, found, one->start, one->answer.after.numbers);
             }
             kept[i].hits += hit;
         }

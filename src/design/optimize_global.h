@@ -16,6 +16,8 @@ struct global_result {
     const char *lost; /* why, in words that starts which are lost alike have in common */
     struct global_minimum *minima;
     long evaluations;
+    struct global_minimum *moved; /* and what design/relocate.h made of them */
+    size_t moved_count;
 };
 
 /* What is searched; the results are the same whatever the number of threads is. */
@@ -43,9 +45,10 @@ struct optimize_global {
     size_t begin, end;             /* those that are searched */
     /* Is it a lens that was found? Asked of what is kept; or null */
     bool (*accepts)(void *context, const struct lens *lens);
-    size_t refused;       /* by it, and such as degenerate_words knows */
-    _Atomic double best;  /* merit of the starts that are done; infinite: none yet */
-    atomic_size_t losses; /* starts that are lost */
+    long moved_evaluations; /* of design/relocate.h */
+    size_t refused;         /* by it, and such as degenerate_words knows */
+    _Atomic double best;    /* merit of the starts that are done; infinite: none yet */
+    atomic_size_t losses;   /* starts that are lost */
 };
 
 /* Where starts lie. */
@@ -67,6 +70,26 @@ static inline const struct merit *optimize_global_merit(const struct optimize_gl
 {
     return global->merits[start % global->layouts];
 }
+
+/* Of those that a start led to, then those that were made of them. */
+static inline const struct global_minimum *global_result_minimum(const struct global_result *result,
+                                                                 size_t i)
+{
+    return i < result->count ? &result->minima[i] : &result->moved[i - result->count];
+}
+
+/* Do the numbers of two starts mean one lens? */
+bool optimize_global_same(const struct optimize_global *global, size_t start, const double *numbers,
+                          size_t other, const double *others);
+
+/* A merit that no other lens was judged by. */
+struct global_fresh {
+    struct variables variables;
+    struct merit merit;
+};
+
+bool optimize_global_fresh(const struct merit *like, struct arena *arena,
+                           struct global_fresh *fresh, struct error *error);
 
 /*
  * Variables that nothing depends on: neither in the lens nor in the first starts.

@@ -1,7 +1,7 @@
 # a lens from nothing: what is written can be taken by every other command; what cannot be is said
 start() { lenscalc optimize --start "$@"; echo "status $?"; }
 start elements=2,efl=100mm,fnumber=8,field=2deg --global 4 --keep 2 --rays 9 --escapes 0 \
-    --digits 2 --columns rank,status,goals,search,lens -o new.lens
+    --relocate 1 --digits 2 --columns rank,status,goals,search,lens -o new.lens
 grep -E '^(lens|wavelength|field|aperture|focus|goal)' new-1.lens
 lenscalc lens new-2.lens -w d --digits 3 --columns efl
 lenscalc optimize new-1.lens --digits 2 --columns status

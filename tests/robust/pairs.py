@@ -154,7 +154,7 @@ VALUES = {
     "grade": "commercial", "tolerances": "../tolerances.txt", "glasses": "SCHOTT",
     "test-plates": "../plates.tsv", "set-diameters": "5", "solver": "ceres", "iterations": "3", "seconds": "100", "global": "2", "keep": "2",
     "start": "elements=1,efl=50,fnumber=8,field=5",
-    "escapes": "1", "spread": "0.5", "part": "1/2", "show/optimize": "variables",
+    "escapes": "1", "relocate": "1", "spread": "0.5", "part": "1/2", "show/optimize": "variables",
     "state": "search.state", "of": "mean", "limit": "20um", "refocus": "none", "adjust": "t1",
     "trials": "5", "show/tolerance": "trials", "drop": "20um", "criterion/tolerance": "efl",
     "method/tolerance": "differential", "gap/tolerance": "last", "field/tolerance": "0,1deg",

@@ -94,6 +94,10 @@ static const struct option options[] = {
     {OPTION(struct optimize_input, escapes), .name = "escapes", .lowest = 0, .highest = 1000,
      .fallback = "2", .value = "COUNT", .wants = "global|start",
      .help = "escapes from each minimum that are tried per start"},
+    {OPTION(struct optimize_input, relocate), .name = "relocate", .lowest = 0, .highest = 1000,
+     .fallback = "0", .value = "COUNT", .wants = "global|start", .excludes = "part",
+     .help = "after the starts, from so many of the best lenses: each element is taken out and put "
+             "in elsewhere without power, a saddle point that both sides are followed from"},
     {OPTION(struct optimize_input, spread), .name = "spread", .dimension = &dimension_number,
      .lowest = 0, .highest = 1000, .fallback = "1", .flags = OPTION_ABOVE_LOWEST, .value = "NUMBER",
      .wants = "global|start",

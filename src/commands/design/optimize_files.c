@@ -169,7 +169,8 @@ static struct text facts_of_search(const struct optimize_job *job)
 
 bool optimize_part_begin(struct optimize_job *job, struct error *error)
 {
-    static const char *const aside[] = {"keep", "show", "seconds", "glasses", "test_plates", NULL};
+    static const char *const aside[] = {"keep",        "show",     "seconds", "glasses",
+                                        "test_plates", "relocate", NULL};
     const struct run *run = job->run;
     const struct part asked = job->input->part;
     const struct argument *path = arguments_find(run->arguments, text_of("state"));

@@ -36,6 +36,7 @@ struct optimize_input {
         seed, iterations;       /* iterations: 0 = as many as it takes */
     long threads;               /* 0: one per core */
     long global, keep, escapes; /* global: 0 = from the lens alone */
+    long relocate;              /* lenses whose elements are put in elsewhere */
     double spread;
     struct part part; /* count 0: all of it */
     double seconds;   /* NaN = as long as it takes */

@@ -5,6 +5,7 @@
 #include "base/parallel.h"
 #include "cli/progress.h"
 #include "commands/analysis/analysis_cursor.h"
+#include "design/relocate.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -312,7 +313,7 @@ static bool keep_lenses(struct optimize_job *job, double until, struct error *er
 }
 
 /* All starts that are to be searched; how many of `all` are done, which is said. */
-static size_t run_starts(struct optimize_job *job, size_t all)
+static size_t run_starts(struct optimize_job *job, size_t all, double until)
 {
     struct optimize_global *global = job->global;
     const struct optimize_input *input = job->input;
@@ -327,6 +328,12 @@ static size_t run_starts(struct optimize_job *job, size_t all)
     watch_begin(watch, "starts", global->start_count < OPTIMIZE_MOST_STARTS ? left : 0);
     watch_tell(watch, optimize_global_tell, global);
     optimize_global_search(global, arena);
+    if (input->relocate > 0 && input->part.count == 0) {
+        job->until = until;
+        watch_begin(watch, "lenses", (size_t)input->relocate);
+        watch_tell(watch, optimize_global_tell, global);
+        optimize_relocate(global, (size_t)input->relocate, arena);
+    }
     if (job->state_path != NULL && watch_is_ended(watch)) {
         optimize_part_save(job);
     }
@@ -338,8 +345,8 @@ static size_t run_starts(struct optimize_job *job, size_t all)
         double best = INFINITY;
         done += result->is_done;
         job->evaluations += result->evaluations;
-        for (size_t i = 0; i < result->count; i++) {
-            best = fmin(best, 2 * result->minima[i].cost);
+        for (size_t i = 0; i < result->count + result->moved_count; i++) {
+            best = fmin(best, 2 * global_result_minimum(result, i)->cost);
         }
         if (result->count > 0) {
             job->ends[job->end_count++] = best;
@@ -349,6 +356,14 @@ static size_t run_starts(struct optimize_job *job, size_t all)
     job->search = arena_printf(arena, "%zu start%s %s, with %ld escape%s each, by seed %ld", done,
                                done == 1 ? "" : "s", range_in_words(job), input->escapes,
                                input->escapes == 1 ? "" : "s", input->seed);
+    if (input->relocate > 0) {
+        const char *best = input->relocate == 1
+                               ? "best lens"
+                               : arena_printf(arena, "%ld best lenses", input->relocate);
+        job->search =
+            arena_printf(arena, "%s, elements of the %s put in elsewhere", job->search, best);
+        job->evaluations += global->moved_evaluations;
+    }
     job->is_late = done < all && !watch_is_ended(watch) && !is_merged;
     if (done < all && !job->is_late) {
         job->incomplete = arena_printf(arena, "%s%zu of %zu starts: the best so far, incomplete",
@@ -378,6 +393,25 @@ static void search_warn(struct optimize_job *job, size_t done)
         optimize_warn(job->kept, "only %zu different lens%s found, of %zu to keep", job->kept_count,
                       job->kept_count == 1 ? " was" : "es were", most);
     }
+}
+
+/* Why nothing is kept: nothing came to its end, or what is wrong with the lens itself. */
+static bool search_fail(struct optimize_job *job, size_t done, struct error *error)
+{
+    if (done == 0) {
+        return fail(error, ERROR_DOMAIN, "%s before any start came to its end",
+                    watch_is_ended(job->run->watch) ? "interrupted" : "the time was up");
+    }
+    const struct optimize_task task = {
+        .merit = &job->merit, .goes_on = optimize_search_goes_on, .context = job};
+    size_t lost;
+    const char *losses = search_losses_words(job, &lost);
+    losses = losses != NULL ? losses : "as what was found is no lens";
+    if (optimize_run(&task, job->run->arena, &job->answer, error)) {
+        return fail(error, ERROR_DOMAIN, "none of %zu starts leads to a lens: %s", done, losses);
+    }
+    return error_prefix(error, "none of %zu starts can be judged: %s; the lens itself: ", done,
+                        losses);
 }
 
 /* The search, of which nothing is done. */
@@ -415,7 +449,6 @@ bool optimize_search(struct optimize_job *job, const struct merit_question *ques
                      struct error *error)
 {
     const struct optimize_input *input = job->input;
-    struct watch *watch = job->run->watch;
     struct optimize_global *global = search_open(job);
     const size_t starts = global->start_count;
     job->global = global;
@@ -435,30 +468,18 @@ bool optimize_search(struct optimize_job *job, const struct merit_question *ques
     }
     /* half of the time is for glasses and plates */
     const bool is_shared = input->glasses != NULL || input->plates != NULL;
-    job->until = begun + (is_shared ? seconds / 2 : seconds);
+    const double searched = begun + (is_shared ? seconds / 2 : seconds);
+    /* and a third of the rest for what is made of the best */
+    job->until = input->relocate > 0 ? begun + (searched - begun) * 2 / 3 : searched;
     optimize_best_open(job);
     global->pause = job->state_path != NULL ? keep_state : NULL;
     const size_t all = job->run->parts != NULL ? global->start_count : global->end - global->begin;
-    const size_t done = run_starts(job, all);
+    const size_t done = run_starts(job, all, searched);
     if (!keep_lenses(job, begun + seconds, error)) {
         return false;
     }
-    if (job->kept_count == 0 && all > 0 && done == 0) {
-        return fail(error, ERROR_DOMAIN, "%s before any start came to its end",
-                    watch_is_ended(watch) ? "interrupted" : "the time was up");
-    }
-    if (job->kept_count == 0 && all > 0) { /* why the lens itself is none */
-        const struct optimize_task task = {
-            .merit = &job->merit, .goes_on = optimize_search_goes_on, .context = job};
-        size_t lost;
-        const char *losses = search_losses_words(job, &lost);
-        losses = losses != NULL ? losses : "as what was found is no lens";
-        if (optimize_run(&task, job->run->arena, &job->answer, error)) {
-            return fail(error, ERROR_DOMAIN, "none of %zu starts leads to a lens: %s", done,
-                        losses);
-        }
-        return error_prefix(error, "none of %zu starts can be judged: %s; the lens itself: ", done,
-                            losses);
+    if (job->kept_count == 0 && all > 0) {
+        return search_fail(job, done, error);
     }
     search_warn(job, done);
     return true;
