@@ -69,6 +69,16 @@ static double lens_edge(const struct layout *layout, size_t surface)
     return layout->vertex[surface] + sag(layout, surface, layout->semi[surface]);
 }
 
+/* As a legend has it: of a model glass that was optimised no digits that nobody reads. */
+static const char *layout_glass_name(const struct layout *layout, const struct medium *medium)
+{
+    enum { LONGEST = 13 }; /* "1.51680/64.17" */
+    const struct text written = medium->written;
+    return medium->kind == MEDIUM_MODEL && written.length > LONGEST
+               ? arena_printf(layout->arena, "%.5f/%.2f", medium->index.hi, medium->abbe.hi)
+               : arena_string(layout->arena, written.start, written.length);
+}
+
 /* Thickness of the glass after a surface, both surfaces continued to r. */
 static double thickness(const struct layout *layout, size_t i, double r)
 {
@@ -243,9 +253,8 @@ static void add_element(struct layout *layout, size_t i)
         }
     }
     part->count = count;
-    const struct text written = layout->setup->lens->surfaces[i].medium.written;
-    const char *name = arena_string(layout->arena, written.start, written.length);
-    const struct text kept = {name, written.length};
+    const char *name = layout_glass_name(layout, &layout->setup->lens->surfaces[i].medium);
+    const struct text kept = text_of(name);
     part->glass = name_table_find(&layout->glass_names, kept);
     if (part->glass == NAME_NONE) {
         layout->glasses[layout->glass_count++] = name;
