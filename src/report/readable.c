@@ -225,3 +225,16 @@ void readable_value(char *to, size_t room, const void *row, const struct shown *
         break;
     }
 }
+
+const char *readable_words(struct arena *arena, const void *row, const struct shown *shown,
+                           const struct unit *unit, int digits)
+{
+    enum { LONGEST = 256 }; /* of what is no text */
+    char value[LONGEST];
+    const bool is_text = shown->column->type == COLUMN_TEXT && !is_spoken_time(shown, unit);
+    if (is_text && !row_is_absent(row, shown->column)) {
+        return row_text(row, shown->column);
+    }
+    readable_value(value, sizeof value, row, shown, unit, digits);
+    return arena_string(arena, value, strlen(value));
+}

@@ -45,4 +45,8 @@ int readable_inch_places(const struct shown *shown, const struct unit *unit, dou
 void readable_value(char *to, size_t room, const void *row, const struct shown *shown,
                     const struct unit *unit, int digits);
 
+/* The same, however long a text is; it is the row's own or lies in the arena. */
+const char *readable_words(struct arena *arena, const void *row, const struct shown *shown,
+                           const struct unit *unit, int digits);
+
 #endif

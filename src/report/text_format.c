@@ -12,7 +12,7 @@
  * The units and widths of a table are chosen from its first rows, so these wait until so many have
  * come; later ones are printed as they come, in the same layout, and memory does not grow.
  */
-enum { ROWS_LOOKED_AT = 512, DIGITS = 4, CELL = 256, LINE_WIDTH = 79 };
+enum { ROWS_LOOKED_AT = 512, DIGITS = 4, LINE_WIDTH = 79 };
 
 /* A table while its rows come. */
 struct kept {
@@ -314,7 +314,6 @@ static void text_format_add_row(struct report *report, struct grid *grid, const 
                                 const struct passed_cell *passed, const char *failure)
 {
     const struct text_state *state = report->state;
-    char cell[CELL];
     grid_add_row(grid);
     for (size_t i = 0; i < report->passed_count; i++) {
         grid_set(grid, i, arena_string(grid->arena, passed[i].text.start, passed[i].text.length));
@@ -322,8 +321,8 @@ static void text_format_add_row(struct report *report, struct grid *grid, const 
     for (size_t i = 0; i < report->shown_count && row != NULL; i++) {
         const struct column *column = report->shown[i].column;
         const bool is_dash = report->are_named && state->is_empty[i] && row_is_absent(row, column);
-        readable_value(cell, sizeof cell, row, &report->shown[i], state->units[i],
-                       text_format_digits_of(report, column));
+        const char *cell = readable_words(grid->arena, row, &report->shown[i], state->units[i],
+                                          text_format_digits_of(report, column));
         grid_set(grid, report->passed_count + i, is_dash ? "-" : cell);
     }
     if (failure != NULL && state->has_failures) {
@@ -392,7 +391,6 @@ static void write_list(struct report *report)
     for (size_t i = 0; i < report->shown_count; i++) {
         const struct shown *shown = &report->shown[i];
         const struct column *column = shown->column;
-        char cell[CELL];
         if (state->is_empty[i] && !report->are_named) {
             continue;
         }
@@ -404,16 +402,16 @@ static void write_list(struct report *report)
             grid_set(&grid, 2, report_absence(report, column));
             continue;
         }
-        readable_value(cell, sizeof cell, state->kept[0].row, shown, state->units[i],
-                       text_format_digits_of(report, column));
+        const char *cell = readable_words(grid.arena, state->kept[0].row, shown, state->units[i],
+                                          text_format_digits_of(report, column));
         if (column->type == COLUMN_NUMBER && strlen(cell) > least[1]) {
             least[1] = strlen(cell); /* words may go on in another line */
         }
         const char *unit = readable_unit_label(shown, state->units[i]);
         /* "1/125 s" has its unit where the others have theirs; "2 min 30 s" stays in one piece */
-        char *blank = strchr(cell, ' ');
+        const char *blank = strchr(cell, ' ');
         if (column->dimension == &dimension_time && blank != NULL && strcmp(blank, " s") == 0) {
-            *blank = '\0';
+            cell = arena_string(grid.arena, cell, (size_t)(blank - cell));
             unit = "s";
         }
         grid_set(&grid, 1, cell);

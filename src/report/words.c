@@ -4,15 +4,14 @@
 
 const char *report_words(const struct report *report, const struct shown *shown, const void *row)
 {
-    enum { DIGITS = 4, LONGEST_VALUE = 256 };
-    char value[LONGEST_VALUE];
+    enum { DIGITS = 4 };
     const struct column *column = shown->column;
     const struct unit *unit = shown->unit;
     if (column->type == COLUMN_NUMBER) {
         unit = readable_unit(shown, UNITS_METRIC, row_number(row, column));
     }
-    readable_value(value, sizeof value, row, shown, unit, DIGITS);
-    return ARENA_JOIN(report->arena, column_label(column), " ", value,
+    return ARENA_JOIN(report->arena, column_label(column), " ",
+                      readable_words(report->arena, row, shown, unit, DIGITS),
                       unit != NULL && unit->label[0] != '\0' ? " " : "",
                       unit != NULL ? unit->label : "");
 }

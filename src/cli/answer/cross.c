@@ -235,7 +235,7 @@ static struct grid cross_build(const struct collection *collection, const struct
             const void *row = row_at(collection, cross, i, j);
             const char *words = "";
             for (size_t k = 0; k < cross->value_count; k++) {
-                char value[256] = "-";
+                const char *value = "-";
                 const struct shown *shown = &cross->values[k];
                 if (is_machine(report)) {
                     grid_set(&grid, 1 + j * cross->value_count + k,
@@ -243,8 +243,8 @@ static struct grid cross_build(const struct collection *collection, const struct
                     continue;
                 }
                 if (row != NULL && !row_is_absent(row, shown->column)) {
-                    readable_value(value, sizeof value, row, shown, cross->units[k],
-                                   cross_digits_of(report, shown->column));
+                    value = readable_words(collection->arena, row, shown, cross->units[k],
+                                           cross_digits_of(report, shown->column));
                 }
                 words = arena_printf(collection->arena, "%s%s%s", words, k > 0 ? " - " : "", value);
             }
