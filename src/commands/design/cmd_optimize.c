@@ -206,6 +206,8 @@ static const struct example examples[] = {
      "goal by goal, the focal length exactly"},
     {"optimize cooke-triplet-50 --vary all-R,t2,t4 --goals poly,efl=50 --rays 12 --global 4",
      "the best of what four starts lead to"},
+    {"optimize --start elements=2,efl=100mm,fnumber=8,field=2deg --global 4 --rays 12",
+     "lenses of two elements, from nothing"},
     {"optimize double-gauss --vary all-R,glass1,glass10 --goals poly,efl=100 --glasses SCHOTT "
      "--show glasses",
      "the first and the last glass become real ones"},
