@@ -10,6 +10,10 @@
 
 enum { STAGES = 40, ITERATIONS = 24 };
 
+/* A way on which so many stages bring less than this of aperture and field does not end in time. */
+enum { CRAWL = 6 };
+static const double least_growth = 0.05;
+
 /* Of aperture and fields at first, the largest first; below the last there is nothing to see. */
 static const double shares[] = {1, 0.85, 0.7, 0.55, 0.4, 0.28, 0.2, 0.1, 0.05};
 
@@ -426,11 +430,15 @@ static bool easing_run(struct easing *easing, const struct error *why, const cha
     }
     *words = easing_words(easing);
     bool goes_on = true;
+    double reached[STAGES];
     for (int stage = 0; stage < STAGES && goes_on; stage++) {
         if (!easing_descend(easing, error)) {
             return false;
         }
-        goes_on = !easing->is_done && !easing->is_stopped && easing_go_on(easing);
+        reached[stage] = easing->share.of[PART_APERTURE] + easing->share.of[PART_FIELD];
+        const bool crawls =
+            stage >= CRAWL && reached[stage] - reached[stage - CRAWL] < least_growth;
+        goes_on = !easing->is_done && !easing->is_stopped && !crawls && easing_go_on(easing);
     }
     return easing->is_done || fail_easing(easing, why, error);
 }

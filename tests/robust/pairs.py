@@ -179,7 +179,7 @@ VALUES = {
 # stand beside exact values; positions and sections are of few lenses, and what is no option but
 # stands by itself is in the questions
 FORM = {"threads", "position", "section", "scale", "wedge", "save", "output", "series", "focus-by",
-        "seconds", "resume", "state", "shell", "words", "subject", "frames", "parts", "files", "topic"}
+        "seconds", "resume", "report", "state", "shell", "words", "subject", "frames", "parts", "files", "topic"}
 # command (None: any), option, what it says nothing beside (None: anything), and why that is right
 EXEMPT = (
     (None, "clip", None, "the default, said"),
@@ -196,6 +196,7 @@ EXEMPT = (
     ("exposure", "ev-at-iso", "ev", "the same light, as the rows of an answer name it"),
     ("optimize", "escapes", "show", "the best of two starts may be the same"),
     ("optimize", "spread", "show", "the best of two starts may be the same"),
+    ("optimize", "relocate", "show", "of one element there is nowhere else to put it"),
     ("render", "wavelength", "model", "these have one focal length, and the chart is grey"),
     ("render", "spectrum", "model", "the same"),
     ("render", "band", "model", "the same"),
