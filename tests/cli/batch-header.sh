@@ -21,5 +21,14 @@ echo "status $?"
 # nor are carriage returns within one, or before a line break, the ends of lines
 printf '"a""\rb",f,N,s\r\r\n1,50,2.8,3\r\r\n' | lenscalc dof --batch - --csv --columns near_m
 echo "status $?"
+# lines of values where names are expected, also where options say all
+printf '3,50,2.8\n4,50,4\n' | lenscalc dof --batch - --csv
+echo "status $?"
+printf 'Lens A;f/2.8;1/125 s;\n' | lenscalc exposure --batch - -N 2 --time 1 --csv
+echo "status $?"
+# empty columns behind a table
+printf 'f,N,s,,\n50,2.8,3,,\n50,4,3,,x\n50,4,3,kept,\n' |
+    lenscalc dof --batch - --csv --columns near_m --digits 4
+echo "status $?"
 printf '"a","f","N","s"\r1,50,2.8,3\r' | lenscalc dof --batch - --csv
 echo "status $?"

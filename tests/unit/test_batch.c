@@ -163,6 +163,33 @@ static const struct {
     {"IFD0:Model", "sensor"},
     {"Camera Model Name", "sensor"},
     {"ISO", "iso"},
+    /* what people write over the columns of spreadsheets */
+    {"F-stop", "aperture"},
+    {"f/stop", "aperture"},
+    {"f/#", "aperture"},
+    {"F number", "aperture"},
+    {"f/No.", "aperture"},
+    {"Focal ratio", "aperture"},
+    {"Aperture (f/)", "aperture"},
+    {"Aperture (f-stop)", "aperture"},
+    {"FL (mm)", "focal-length"},
+    {"EFL", "focal-length"},
+    {"Focal length (Millimeters)", "focal-length"},
+    {"Focal length (f)", "focal-length"},
+    {"Focal length in mm", "focal-length"},
+    {"Subject distance", "distance"},
+    {"Distance to subject (m)", "distance"},
+    {"Distance\n(m)", "distance"},
+    {"Distance (Feet)", "distance"},
+    {"Shutter", "time"},
+    {"Shutter speed (s)", "time"},
+    {"Exposure time (sec)", "time"},
+    {"Film speed", "iso"},
+    {"ISO (ASA)", "iso"},
+    {"Camera", "sensor"},
+    {"Sensor size", "sensor"},
+    {"Circle of confusion (mm)", "coc"},
+    {"Pupil ratio", "pupil"},
 };
 
 static void check_option(const struct command *command, const struct option *option)
@@ -198,6 +225,10 @@ static void check_option(const struct command *command, const struct option *opt
         check_name(command, &asked, arena_printf(&arena, "%s_%s", name, unit->name), cell);
         check_name(command, &asked, arena_printf(&arena, "%s (%s)", name, unit->name), cell);
         check_name(command, &asked, arena_printf(&arena, "%s [%s]", name, unit->label), cell);
+        check_name(command, &asked, arena_printf(&arena, "%s %s", name, unit->name), cell);
+        check_name(command, &asked, arena_printf(&arena, "%s in %s", name, unit->name), cell);
+        check_name(command, &asked, arena_printf(&arena, "%s, %s", name, unit->name), cell);
+        check_name(command, &asked, arena_printf(&arena, "%s/%s", name, unit->name), cell);
     }
 }
 

@@ -2,6 +2,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "cli/batch/batch.h"
 
+#include "base/quantity.h"
+#include "cli/batch/gaps.h"
+
 #include <errno.h>
 #include <fcntl.h>
 #include <math.h>
@@ -79,6 +82,11 @@ static bool object_fail(struct batch *batch, struct text object, struct error *e
 static bool set_cell(struct batch *batch, struct batch_column *column, struct text cell, size_t at,
                      void *input, struct error *error)
 {
+    if (column->is_padding && text_trim(cell).length > 0) {
+        fail(error, ERROR_DATA, "'%.*s' stands in one of several columns without a name",
+             text_shown(cell), cell.start);
+        return row_fail(batch, error, at);
+    }
     if (column->is_ignored) {
         return true;
     }
@@ -276,6 +284,36 @@ static bool has_bare_return(struct text line, char separator)
     return false;
 }
 
+/* Is it a quantity of any dimension, "50", "f/2.8", "1/125 s", as no name of a column is? */
+static bool is_value(struct text cell)
+{
+    struct error ignored;
+    double value;
+    bool found = false;
+    for (size_t i = 0; dimensions[i] != NULL && !found; i++) {
+        found = quantity_read(cell, dimensions[i], NULL, &value, NULL, &ignored);
+    }
+    return found;
+}
+
+/* Does the line where names of columns stand have values, and no name that means anything? */
+static bool header_has_values(struct batch *batch, struct text line)
+{
+    struct text rest = line;
+    struct batch_cell cell;
+    bool any = false;
+    while (rest.start != NULL && cut_cell(batch, &rest, &cell)) {
+        const struct text name = text_trim(cell.text);
+        struct batch_column column = {.name = name};
+        batch_find_meaning(batch, name, &column);
+        if (column.option != NULL) {
+            return false;
+        }
+        any = any || is_value(name);
+    }
+    return any;
+}
+
 /* Names of the columns from the header line. */
 static bool read_header(struct batch *batch, struct text line, struct error *error)
 {
@@ -288,6 +326,10 @@ static bool read_header(struct batch *batch, struct text line, struct error *err
         fail(error, ERROR_DATA,
              "lines end in a carriage return alone: expected a line feed, as tr '\\r' '\\n' makes "
              "it");
+        return error_locate(error, batch->source, batch->line, 0);
+    }
+    if (header_has_values(batch, line)) {
+        gaps_refuse_values(error, batch, line);
         return error_locate(error, batch->source, batch->line, 0);
     }
     while (rest.start != NULL) {

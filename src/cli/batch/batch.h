@@ -27,6 +27,7 @@ struct batch_column {
     struct batch_plain plain;      /* but for what prepare_plain finds */
     bool is_plain;                 /* a number that needs no lensdb, no prefix */
     bool is_ignored;               /* neither input nor handed through */
+    bool is_padding;               /* one more without a name, as spreadsheets add: all empty */
     bool is_infinite;              /* a JSON companion: true makes the option infinite */
     bool is_late;                  /* in JSON: the first object does not have it */
     struct text name;              /* as in the file */

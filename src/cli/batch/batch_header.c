@@ -220,7 +220,15 @@ static bool push_column(struct batch *batch, const struct batch_column *column, 
 bool batch_add_column(struct batch *batch, struct text name, size_t at, struct error *error)
 {
     struct batch_column column;
-    if (!header_column(batch, name, &column, error) || !check_new(batch, &column, error)) {
+    if (!header_column(batch, name, &column, error)) {
+        return error_locate(error, batch->source, batch->line, at);
+    }
+    for (size_t i = 0; i < batch->column_count && batch->format != BATCH_JSONL; i++) {
+        column.is_padding =
+            column.is_padding || (name.length == 0 && batch->columns[i].name.length == 0);
+    }
+    column.is_ignored = column.is_padding;
+    if (!column.is_padding && !check_new(batch, &column, error)) {
         return error_locate(error, batch->source, batch->line, at);
     }
     column.place = at;

@@ -29,6 +29,48 @@ static const struct photo_tag {
 
 enum { TAG_COUNT = sizeof tags / sizeof tags[0] };
 
+/* What people write over the columns of spreadsheets, beside the names of options. */
+static const struct header_word {
+    const char *word, *option;
+} header_words[] = {
+    {"f-stop", "aperture"},
+    {"f/stop", "aperture"},
+    {"f/", "aperture"},
+    {"f/#", "aperture"},
+    {"f#", "aperture"},
+    {"f/number", "aperture"},
+    {"f/no", "aperture"},
+    {"f-no", "aperture"},
+    {"f/ratio", "aperture"},
+    {"f-ratio", "aperture"},
+    {"focal ratio", "aperture"},
+    {"diaphragm", "aperture"},
+    {"FL", "focal-length"},
+    {"EFL", "focal-length"},
+    {"effective focal length", "focal-length"},
+    {"lens focal length", "focal-length"},
+    {"distance to subject", "distance"},
+    {"distance to object", "distance"},
+    {"object distance", "distance"},
+    {"focusing distance", "distance"},
+    {"focussing distance", "distance"},
+    {"shutter", "time"},
+    {"shutter time", "time"},
+    {"film speed", "iso"},
+    {"ISO speed", "iso"},
+    {"ISO sensitivity", "iso"},
+    {"ASA", "iso"},
+    {"camera", "sensor"},
+    {"camera body", "sensor"},
+    {"sensor size", "sensor"},
+    {"sensor format", "sensor"},
+    {"film format", "sensor"},
+    {"circle of confusion", "coc"},
+    {"pupil ratio", "pupil"},
+    {"numerical aperture", "na"},
+    {"lambda", "wavelength"},
+};
+
 /* Groups of exiftool whose tags are the photograph's own, not its maker's or its thumbnail's. */
 static const char *const own_groups[] = {"EXIF", "IFD0", "ExifIFD", "Composite"};
 
@@ -48,6 +90,21 @@ static const struct photo_tag *find_tag(struct text name)
     for (size_t i = 0; i < TAG_COUNT; i++) {
         if (text_same_name(name, text_of(tags[i].tag))) {
             return &tags[i];
+        }
+    }
+    return NULL;
+}
+
+/* The name of the option that a word over a column means, "F-stop" or "f/No."; null: none. */
+static const char *header_word_option(struct text name)
+{
+    name.length -= name.length > 0 && name.start[name.length - 1] == '.';
+    if (text_equal(name, "camera")) {
+        return NULL; /* of 'list cameras', which has sizes of its own beside it */
+    }
+    for (size_t i = 0; i < sizeof header_words / sizeof header_words[0]; i++) {
+        if (text_same_name(name, text_of(header_words[i].word))) {
+            return header_words[i].option;
         }
     }
     return NULL;
@@ -81,7 +138,10 @@ static const struct option *option_like(const struct batch *batch, struct text n
             return option;
         }
     }
-    return NULL;
+    const char *const meant = header_word_option(name);
+    const struct argument *argument =
+        meant != NULL ? arguments_find(batch->arguments, text_of(meant)) : NULL;
+    return argument != NULL && argument->is_input ? argument->option : NULL;
 }
 
 const struct option *batch_option_of(const struct batch *batch, struct text name)
@@ -101,6 +161,40 @@ const struct option *batch_option_of(const struct batch *batch, struct text name
     return argument != NULL && argument->is_input ? argument->option : option_like(batch, name);
 }
 
+/* Is the text the unit's name, or a spelling of it, but for its case? */
+static bool is_unit_like(const struct unit *unit, struct text typed)
+{
+    struct text rest = text_of(unit->spellings != NULL ? unit->spellings : "");
+    bool found = text_same_name(typed, text_of(unit->name));
+    while (rest.length > 0 && !found) {
+        found = text_same_name(typed, text_cut(&rest, ' '));
+    }
+    return found;
+}
+
+/*
+ * A unit as it is typed, as the heads of tables have it, "1/mm", or in other case, "(Feet)", where
+ * that is one unit only.
+ */
+static const struct unit *header_unit(const struct dimension *dimension, struct text typed)
+{
+    const struct unit *found = unit_find(dimension, typed);
+    for (size_t i = 0; i < dimension->unit_count && found == NULL && typed.length > 0; i++) {
+        found = text_equal(typed, dimension->units[i].label) ? &dimension->units[i] : NULL;
+    }
+    if (found != NULL || typed.length == 0) {
+        return found;
+    }
+    size_t alike = 0;
+    for (size_t i = 0; i < dimension->unit_count; i++) {
+        if (is_unit_like(&dimension->units[i], typed)) {
+            found = &dimension->units[i];
+            alike++;
+        }
+    }
+    return alike == 1 ? found : NULL;
+}
+
 /* A name and what may be the unit behind it; false: it is no such name with such a unit. */
 static bool match_unit(const struct batch *batch, struct text name, struct text typed,
                        struct batch_column *column)
@@ -109,12 +203,7 @@ static bool match_unit(const struct batch *batch, struct text name, struct text 
     if (option == NULL || option->dimension == NULL) {
         return false;
     }
-    /* as it is typed, or as the heads of tables have it: "1/mm" */
-    const struct unit *unit = unit_find(option->dimension, typed);
-    for (size_t i = 0; i < option->dimension->unit_count && unit == NULL && typed.length > 0; i++) {
-        unit = text_equal(typed, option->dimension->units[i].label) ? &option->dimension->units[i]
-                                                                    : NULL;
-    }
+    const struct unit *unit = header_unit(option->dimension, typed);
     column->typed_unit = typed;
     if (unit != NULL) {
         column->option = option;
@@ -125,7 +214,27 @@ static bool match_unit(const struct batch *batch, struct text name, struct text 
     return unit != NULL;
 }
 
-/* "Focal Length (mm)", "Distance [ft]". */
+/* "Distance m", "Distance, m", "Distance/m", "Distance in m". What is no unit is passed over. */
+static bool match_loose_unit(const struct batch *batch, struct text name,
+                             struct batch_column *column)
+{
+    for (size_t at = 1; at + 1 < name.length; at++) {
+        if (strchr(" ,/", name.start[at]) == NULL) {
+            continue;
+        }
+        struct batch_column tried = *column;
+        struct text behind = text_trim((struct text){name.start + at + 1, name.length - at - 1});
+        const struct text in = text_behind(behind, "in ");
+        if (match_unit(batch, text_trim((struct text){name.start, at}),
+                       in.start != NULL ? text_trim(in) : behind, &tried)) {
+            *column = tried;
+            return true;
+        }
+    }
+    return false;
+}
+
+/* "Focal Length (mm)", "Distance [ft]"; in brackets may also stand another name, "ISO (ASA)". */
 static bool match_brackets(const struct batch *batch, struct text name, struct batch_column *column)
 {
     const char last = name.length > 0 ? name.start[name.length - 1] : '\0';
@@ -136,12 +245,27 @@ static bool match_brackets(const struct batch *batch, struct text name, struct b
     if (at == 0) {
         return false;
     }
-    const struct text inside = {name.start + at + 1, name.length - at - 2};
-    return match_unit(batch, text_trim((struct text){name.start, at}), text_trim(inside), column);
+    const struct text inside = text_trim((struct text){name.start + at + 1, name.length - at - 2});
+    const struct text before = text_trim((struct text){name.start, at});
+    if (match_unit(batch, before, inside, column)) {
+        return true;
+    }
+    const struct option *option = batch_option_of(batch, before);
+    if (option == NULL || batch_option_of(batch, inside) != option) {
+        return false;
+    }
+    column->option = option;
+    return true;
 }
 
 void batch_find_meaning(const struct batch *batch, struct text name, struct batch_column *column)
 {
+    /* spreadsheets break the lines of a narrow head */
+    char *const line = arena_string(batch->arena, name.start, name.length);
+    for (size_t i = 0; i < name.length; i++) {
+        line[i] = line[i] == '\n' || line[i] == '\r' ? ' ' : line[i];
+    }
+    name.start = line;
     struct text bare = name;
     const struct text group = cut_group(&bare);
     const struct photo_tag *tag = find_tag(bare);
@@ -164,7 +288,7 @@ void batch_find_meaning(const struct batch *batch, struct text name, struct batc
         found = name.start[at] == '_' &&
                 match_unit(batch, (struct text){name.start, at}, behind, column);
     }
-    if (found || match_brackets(batch, name, column)) {
+    if (found || match_brackets(batch, name, column) || match_loose_unit(batch, name, column)) {
         column->doubtful = NULL;
     }
 }

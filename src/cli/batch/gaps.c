@@ -132,6 +132,29 @@ void gaps_refuse(struct error *failure, const struct batch *batch)
         arena_printf(arena, "    %s\n%s    an option says it for all rows\n", lack.message, known);
 }
 
+void gaps_refuse_values(struct error *error, const struct batch *batch, struct text line)
+{
+    struct arena *arena = batch->reader->arena;
+    const struct command *command = batch->arguments->command;
+    enum { MOST_NAMES = 6 };
+    const char *names = "";
+    int count = 0;
+    for (size_t i = 0; i < command->option_count && count < MOST_NAMES; i++) {
+        const struct option *option = &command->options[i];
+        /* those with letters are what most questions are made of */
+        if (option->letter != '\0' && option->dimension != NULL &&
+            !arguments_given(batch->arguments, option->name)) {
+            names = arena_printf(arena, "%s%s%s", names, count > 0 ? ", " : "",
+                                 option_columns(option, arena));
+            count++;
+        }
+    }
+    fail(error, ERROR_DATA, "the first row has values, where names of columns are expected: %.*s",
+         text_shown(line), line.start);
+    error->more = arena_printf(arena, "    columns that %s would know: %s%s\n", command->name,
+                               names, count == MOST_NAMES ? ", ..." : "");
+}
+
 bool gaps_rest(const struct gaps *gaps, size_t i, const char *source, struct error *rest)
 {
     const struct gap *gap = &gaps->all[i];

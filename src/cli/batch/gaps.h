@@ -40,6 +40,9 @@ void gaps_explain(struct error *failure, const struct batch *batch, const void *
 /* No column of the file means anything to the command, which lacks what the failure says. */
 void gaps_refuse(struct error *failure, const struct batch *batch);
 
+/* The line of names of columns, `line`, has values: say so, and which names would be known. */
+void gaps_refuse_values(struct error *error, const struct batch *batch, struct text line);
+
 /* "46 more rows fail like line 2": gap `i` of a file; false where no more do. */
 bool gaps_rest(const struct gaps *gaps, size_t i, const char *source, struct error *rest);
 
