@@ -1,4 +1,4 @@
-/* report/grid.h - cells of text in rows and columns, printed as text, markdown, html or csv. */
+/* report/grid.h - cells of text in rows and columns, printed as text, markdown, latex, html or csv. */
 /* SPDX-License-Identifier: MIT */
 #ifndef LENSCALC_REPORT_GRID_H
 #define LENSCALC_REPORT_GRID_H
@@ -57,10 +57,20 @@ size_t grid_fit(struct grid *grid, size_t width, const size_t *least, const size
 void grid_write_text(const struct grid *grid, struct output *output, bool with_head);
 void grid_write_markdown(const struct grid *grid, struct output *output, bool with_head);
 void grid_write_html(const struct grid *grid, struct output *output, bool with_head);
+void grid_write_latex(const struct grid *grid, struct output *output, bool with_head);
 void grid_write_separated(const struct grid *grid, struct output *output, char separator);
 
 /* Text that means nothing but itself in Markdown: no end of a cell, no HTML, no link. */
 const char *grid_markdown_text(struct arena *arena, const char *string);
+
+/* Text that means nothing but itself in LaTeX. */
+const char *grid_latex_text(struct arena *arena, const char *string);
+
+/* Text below a table of LaTeX; its lines stay lines. */
+void grid_latex_paragraph(struct arena *arena, struct output *output, const char *text);
+
+/* End a table of grid_write_latex, with the note of its grid (may be null) below. */
+void grid_latex_close(const struct grid *grid, struct output *output);
 
 /* A whole HTML page around tables: written first and last. */
 void grid_html_begin(struct output *output, const char *title);

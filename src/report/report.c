@@ -6,8 +6,8 @@
 #include <string.h>
 
 const struct format *const formats[] = {
-    &format_text,  &format_csv,      &format_tsv,  &format_json,
-    &format_jsonl, &format_markdown, &format_html, NULL,
+    &format_text,     &format_csv,   &format_tsv,  &format_json, &format_jsonl,
+    &format_markdown, &format_latex, &format_html, NULL,
 };
 
 const struct word *format_word(size_t i)

@@ -39,7 +39,7 @@ struct format {
 };
 
 extern const struct format format_text, format_csv, format_tsv, format_json, format_jsonl,
-    format_markdown, format_html;
+    format_markdown, format_latex, format_html;
 
 /* All formats; ends with null. */
 extern const struct format *const formats[];

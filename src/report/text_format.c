@@ -1,4 +1,4 @@
-/* report/text_format.c - aligned tables for people: plain text, markdown and HTML. */
+/* report/text_format.c - aligned tables for people: plain text, markdown, LaTeX and HTML. */
 /* SPDX-License-Identifier: MIT */
 #include "report/grid.h"
 #include "report/readable.h"
@@ -79,6 +79,10 @@ static void write_remark(struct report *report, enum style style, const char *wo
     }
     if (is_written_by(report, grid_write_html)) {
         grid_html_paragraph(output, line);
+        return;
+    }
+    if (is_written_by(report, grid_write_latex)) {
+        grid_latex_paragraph(report->arena, output, line);
         return;
     }
     if (is_written_by(report, grid_write_markdown)) {
@@ -461,6 +465,17 @@ static void text_begin(struct report *report)
     }
 }
 
+/* Why a row failed: in plain text below it, else below the table, which has only rows. */
+static void text_write_failure(struct report *report, const char *message)
+{
+    if (report->format != &format_text) {
+        warnings_add(report->doubts, "a row failed: %s", message);
+        return;
+    }
+    output_styled(report->output, STYLE_ERROR, "error:");
+    output_printf(report->output, " %s\n", message);
+}
+
 static void text_row(struct report *report, const void *row, const struct passed_cell *passed,
                      const struct error *failure)
 {
@@ -476,9 +491,8 @@ static void text_row(struct report *report, const void *row, const struct passed
         }
         text_format_add_row(report, &grid, row, passed, failure != NULL ? failure->message : NULL);
         report->format->write_grid(&grid, report->output, false);
-        if (failure != NULL && !state->has_failures) {
-            output_styled(report->output, STYLE_ERROR, "error:"); /* there is no column for it */
-            output_printf(report->output, " %s\n", failure->message);
+        if (failure != NULL && !state->has_failures) { /* there is no column for it */
+            text_write_failure(report, failure->message);
         }
         arena_reset(&state->scratch, mark);
         return;
@@ -498,8 +512,12 @@ static void text_end(struct report *report)
     if (report->format == &format_html && state->has_layout) {
         grid_html_close(NULL, report->output);
     }
+    if (report->format == &format_latex && state->has_layout) {
+        grid_latex_close(NULL, report->output);
+    }
     text_write_below(report);
-    if (report->explain != NULL && report->format != &format_html) {
+    const bool keeps_lines = report->format == &format_text || report->format == &format_markdown;
+    if (report->explain != NULL && keeps_lines) {
         /* formulas keep their lines */
         output_character(report->output, '\n');
         const char *text = grid_printable(report->arena, report->explain);
@@ -522,4 +540,6 @@ static void text_end(struct report *report)
 const struct format format_text = {{"text", "aligned table with units"}, TEXT(grid_write_text)};
 const struct format format_markdown = {{"markdown", "table for a document"},
                                        TEXT(grid_write_markdown)};
+const struct format format_latex = {{"latex", "table with booktabs for a LaTeX document"},
+                                    TEXT(grid_write_latex)};
 const struct format format_html = {{"html", "page to print"}, TEXT(grid_write_html)};

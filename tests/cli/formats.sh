@@ -4,7 +4,7 @@ for format in csv tsv json jsonl; do
     echo "status $?"
 done
 lenscalc dof -f 50mm -N 2.8 -s 3m --sensor 35mm --json
-for format in text csv tsv json jsonl markdown html; do
+for format in text csv tsv json jsonl markdown latex html; do
     lenscalc dof -f 50mm -N 2.8 -s 3m --columns near_m,far_m --format $format
 done
 lenscalc dof -f 50 -N 2.8 -s 3 --format jsn

@@ -1,5 +1,5 @@
 # cross-tables to print, metric and imperial, for people and for programs
-for format in text markdown html; do
+for format in text markdown latex html; do
     lenscalc dof -f 50mm -N 2.8..16 -s 1,2,5,10 --table s,N --format $format
     echo "status $?"
 done

@@ -155,8 +155,39 @@ static void check_steps(void)
     }
 }
 
+/* The ten characters that LaTeX keeps for itself (its Reference Manual, "Reserved characters"). */
+static void check_latex(void)
+{
+    struct arena arena = {0};
+    struct output output;
+    CHECK_TEXT(grid_latex_text(&arena, "50% & $5_a^b {~#}"),
+               "50\\% \\& \\$5\\_a\\textasciicircum{}b \\{\\textasciitilde{}\\#\\}");
+    CHECK_TEXT(grid_latex_text(&arena, "\\input{x}"), "\\textbackslash{}input\\{x\\}");
+    /* behind the end of a row these would be its argument, or its star */
+    CHECK_TEXT(grid_latex_text(&arena, "[1] *"), "{[}1] {*}");
+    struct grid grid = grid_new(&arena, 2, 2);
+    static const char *const cells[3][2] = {{"lens", "distance"}, {"", "m"}, {"a-1", "-1.5"}};
+    grid.left[0] = true;
+    for (size_t i = 0; i < 3; i++) {
+        grid_add_row(&grid);
+        grid_set(&grid, 0, cells[i][0]);
+        grid_set(&grid, 1, cells[i][1]);
+    }
+    output_begin(&output, -1, &arena);
+    grid_write_latex(&grid, &output, true);
+    grid_latex_close(NULL, &output);
+    grid_latex_paragraph(&arena, &output, "one\ntwo\n\nthree");
+    CHECK_TEXT(arena_string(&arena, output.buffer, output.used),
+               "% needs \\usepackage{booktabs}\n"
+               "\\noindent\\begin{tabular}{lr}\n\\toprule\nlens & distance \\\\\n & m \\\\\n"
+               "\\midrule\na-1 & $-$1.5 \\\\\n\\bottomrule\n\\end{tabular}\n"
+               "\none \\\\\ntwo\n\nthree\n");
+    arena_free(&arena);
+}
+
 int main(void)
 {
+    check_latex();
     check_random();
     check_steps();
     return check_report();

@@ -53,7 +53,7 @@ const struct option common_options[] = {
     {COMMON(digits), .name = "digits", .value = "N", .lowest = 1, .highest = 17,
      .help = "significant digits (text: 4; machine formats: as many as read back the same)"},
     {COMMON(units), .name = "units", .value = "SYSTEM", .words = unit_words, .fallback = "metric",
-     .help = "metric or imperial distances in text, markdown and html"},
+     .help = "metric or imperial distances in text, markdown, latex and html"},
     {COMMON(table), .name = "table", .value = "ROW,COL[:VALUE]",
      .help = "cross-table of two swept options; VALUE is a column, or two as near_m+far_m"},
     {COMMON(plot), .name = "plot", .value = "FILE", .flags = OPTION_FILE, .types = drawing_types,

@@ -270,6 +270,13 @@ static void write_grid(struct report *report, const struct grid *grid)
         return;
     }
     report->format->write_grid(grid, report->output, true);
+    if (report->format == &format_latex) {
+        grid_latex_close(grid, report->output);
+        if (report->explain != NULL) {
+            grid_latex_paragraph(report->arena, report->output, report->explain);
+        }
+        return;
+    }
     if (report->explain != NULL && !is_machine(report)) {
         output_printf(report->output, "\n%s\n", report->explain);
     }

@@ -1,0 +1,121 @@
+/* report/grid_latex.c - cells of text in rows and columns as a tabular of LaTeX, with booktabs. */
+/* SPDX-License-Identifier: MIT */
+#include "report/grid.h"
+
+#include <string.h>
+
+/* What means something to LaTeX, or other signs than these in its usual fonts. */
+static const struct latex_sign {
+    char sign;
+    const char *written;
+} latex_signs[] = {
+    {'\\', "\\textbackslash{}"},
+    {'{', "\\{"},
+    {'}', "\\}"},
+    {'$', "\\$"},
+    {'&', "\\&"},
+    {'#', "\\#"},
+    {'_', "\\_"},
+    {'%', "\\%"},
+    {'~', "\\textasciitilde{}"},
+    {'^', "\\textasciicircum{}"},
+    {'<', "\\textless{}"},
+    {'>', "\\textgreater{}"},
+    {'|', "\\textbar{}"},
+    /* the end of a line before takes these for its own arguments */
+    {'[', "{[}"},
+    {'*', "{*}"},
+};
+
+enum { LONGEST_SIGN = 18 };
+
+static const char *latex_sign(char c)
+{
+    for (size_t i = 0; i < sizeof latex_signs / sizeof latex_signs[0]; i++) {
+        if (latex_signs[i].sign == c) {
+            return latex_signs[i].written;
+        }
+    }
+    return NULL;
+}
+
+const char *grid_latex_text(struct arena *arena, const char *string)
+{
+    char *text = arena_array(arena, LONGEST_SIGN * strlen(string) + 1, 1), *to = text;
+    for (; *string != '\0'; string++) {
+        const char *written = latex_sign(*string);
+        if (written == NULL) {
+            *to++ = *string;
+            continue;
+        }
+        const size_t length = strlen(written);
+        memcpy(to, written, length);
+        to += length;
+    }
+    return text;
+}
+
+void grid_latex_paragraph(struct arena *arena, struct output *output, const char *text)
+{
+    output_character(output, '\n');
+    for (; *text != '\0'; text++) {
+        const char *stop = strchr(text, '\n');
+        const size_t length = stop != NULL ? (size_t)(stop - text) : strlen(text);
+        output_string(output, grid_latex_text(arena, arena_string(arena, text, length)));
+        /* lines stay lines, but none can be ended that has not begun */
+        if (stop != NULL && length > 0 && stop[1] != '\n' && stop[1] != '\0') {
+            output_string(output, " \\\\");
+        }
+        output_character(output, '\n');
+        text += length;
+        if (stop == NULL) {
+            break;
+        }
+    }
+}
+
+/* A hyphen before a number is a minus. */
+static void write_latex_cell(const struct grid *grid, struct output *output, size_t row, size_t j)
+{
+    const char *text = grid_cell(grid, row, j);
+    if (text[0] == '-' && text[1] != '\0' && !grid->left[j] && row >= grid->head_rows) {
+        output_string(output, "$-$");
+        text++;
+    }
+    output_string(output, grid_latex_text(grid->arena, text));
+}
+
+void grid_write_latex(const struct grid *grid, struct output *output, bool with_head)
+{
+    grid_make_printable(grid);
+    if (with_head) {
+        output_string(output, "% needs \\usepackage{booktabs}\n");
+        if (grid->title != NULL) {
+            output_string(output, "\\noindent\\textbf{");
+            output_string(output,
+                          grid_latex_text(grid->arena, grid_printable(grid->arena, grid->title)));
+            output_string(output, "}\n\n\\smallskip\n");
+        }
+        output_string(output, "\\noindent\\begin{tabular}{");
+        for (size_t j = 0; j < grid->columns; j++) {
+            output_character(output, grid->left[j] ? 'l' : 'r');
+        }
+        output_string(output, "}\n\\toprule\n");
+    }
+    for (size_t i = with_head ? 0 : grid->head_rows; i < grid->rows; i++) {
+        for (size_t j = 0; j < grid->columns; j++) {
+            output_string(output, j > 0 ? " & " : "");
+            write_latex_cell(grid, output, i, j);
+        }
+        output_string(output, " \\\\\n");
+        output_string(output, i + 1 == grid->head_rows ? "\\midrule\n" : "");
+    }
+}
+
+void grid_latex_close(const struct grid *grid, struct output *output)
+{
+    output_string(output, "\\bottomrule\n\\end{tabular}\n");
+    if (grid != NULL && grid->note != NULL) {
+        grid_latex_paragraph(grid->arena, output, grid_printable(grid->arena, grid->note));
+    }
+}
