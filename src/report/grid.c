@@ -130,7 +130,15 @@ void grid_html_begin(struct output *output, const char *title)
                   "thead tr:last-child th { border-bottom: 1px solid; }\n"
                   "tbody tr:nth-child(even) { background: #f2f2f2; }\n"
                   ".w { text-align: left; }\n"
-                  "@media print { body { margin: 0; } }\n"
+                  "thead { display: table-header-group; }\n"
+                  "tr { break-inside: avoid; }\n"
+                  "@page { margin: 15mm; }\n"
+                  "@media print {\n"
+                  "body { margin: 0; font-size: 9pt; }\n"
+                  "th, td { padding: 0.15em 0.5em; }\n"
+                  ".w { overflow-wrap: anywhere; }\n"
+                  "tbody tr { border-bottom: 1px solid #ddd; }\n"
+                  "}\n"
                   "</style>\n</head>\n<body>\n");
 }
 

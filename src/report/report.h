@@ -142,7 +142,10 @@ const char *report_absence(const struct report *report, const struct column *col
 /* A value in words: "circle of confusion 0.02884 mm". */
 const char *report_words(const struct report *report, const struct shown *shown, const void *row);
 
-/* "assuming ..., ...": the assumptions of a report in words, from a row; null if there are none. */
+/*
+ * "assuming ..., ...": the assumptions of a report in words, from a row; null if there are none. In
+ * Markdown they are a list.
+ */
 const char *report_assumptions(const struct report *report, const void *row);
 
 /*

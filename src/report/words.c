@@ -18,19 +18,21 @@ const char *report_words(const struct report *report, const struct shown *shown,
 
 const char *report_assumptions(const struct report *report, const void *row)
 {
+    const bool is_list = report->format == &format_markdown;
+    const char *const first = is_list ? "assuming\n\n- " : "assuming ";
+    const char *const next = is_list ? "\n- " : ", ";
     const char *line = NULL;
     for (size_t i = 0; i < report->assumed_count && row != NULL; i++) {
         const struct shown *shown = &report->assumed[i];
         if (!row_is_absent(row, shown->column)) {
             const char *words = report_words(report, shown, row);
-            line = ARENA_JOIN(report->arena, line == NULL ? "assuming " : line,
-                              line == NULL ? "" : ", ", words);
+            line = ARENA_JOIN(report->arena, line == NULL ? first : line, line == NULL ? "" : next,
+                              words);
         }
     }
     if (report->nominal != NULL) {
         line = arena_printf(report->arena, "%s%sstops by their exact values (%s)",
-                            line != NULL ? line : "assuming ", line != NULL ? ", " : "",
-                            report->nominal);
+                            line != NULL ? line : first, line != NULL ? next : "", report->nominal);
     }
     return line;
 }

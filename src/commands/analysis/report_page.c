@@ -89,7 +89,12 @@ static const char style[] =
     ".pair figure { min-width: 0; }\n"
     "pre { overflow-x: auto; font-size: 80%; }\n"
     "code { color: #666; font-weight: normal; font-size: 80%; }\n"
-    "@media print { body { margin: 0; } pre { font-size: 55%; white-space: pre; } }\n";
+    "@page { margin: 15mm; }\n"
+    "@media print {\n"
+    "body { margin: 0; }\n"
+    "h2 { break-after: avoid; }\n"
+    "pre { font-size: 55%; overflow: visible; white-space: pre-wrap; }\n"
+    "}\n";
 
 static void write_figure(const struct page_part *part, size_t number, struct output *output)
 {
