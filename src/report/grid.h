@@ -1,4 +1,4 @@
-/* report/grid.h - cells of text in rows and columns, printed as text, markdown, latex, html or csv. */
+/* report/grid.h - cells of text in rows and columns, printed as text, markdown, latex, html, csv. */
 /* SPDX-License-Identifier: MIT */
 #ifndef LENSCALC_REPORT_GRID_H
 #define LENSCALC_REPORT_GRID_H
@@ -63,10 +63,7 @@ void grid_write_separated(const struct grid *grid, struct output *output, char s
 /* Text that means nothing but itself in Markdown: no end of a cell, no HTML, no link. */
 const char *grid_markdown_text(struct arena *arena, const char *string);
 
-/* Text that means nothing but itself in LaTeX. */
-const char *grid_latex_text(struct arena *arena, const char *string);
-
-/* Text below a table of LaTeX; its lines stay lines. */
+/* Text below a table of LaTeX, with no commands of it; its lines stay lines. */
 void grid_latex_paragraph(struct arena *arena, struct output *output, const char *text);
 
 /* End a table of grid_write_latex, with the note of its grid (may be null) below. */

@@ -27,6 +27,9 @@ static const struct latex_sign {
     {'*', "{*}"},
 };
 
+/* The environment. */
+#define TABLE "tabular"
+
 enum { LONGEST_SIGN = 18 };
 
 static const char *latex_sign(char c)
@@ -39,7 +42,8 @@ static const char *latex_sign(char c)
     return NULL;
 }
 
-const char *grid_latex_text(struct arena *arena, const char *string)
+/* Text that means nothing but itself in LaTeX. */
+static const char *grid_latex_text(struct arena *arena, const char *string)
 {
     char *text = arena_array(arena, LONGEST_SIGN * strlen(string) + 1, 1), *to = text;
     for (; *string != '\0'; string++) {
@@ -89,14 +93,14 @@ void grid_write_latex(const struct grid *grid, struct output *output, bool with_
 {
     grid_make_printable(grid);
     if (with_head) {
-        output_string(output, "% needs \\usepackage{booktabs}\n");
+        output_string(output, "% needs the package booktabs\n");
         if (grid->title != NULL) {
             output_string(output, "\\noindent\\textbf{");
             output_string(output,
                           grid_latex_text(grid->arena, grid_printable(grid->arena, grid->title)));
             output_string(output, "}\n\n\\smallskip\n");
         }
-        output_string(output, "\\noindent\\begin{tabular}{");
+        output_string(output, "\\noindent\\begin{" TABLE "}{");
         for (size_t j = 0; j < grid->columns; j++) {
             output_character(output, grid->left[j] ? 'l' : 'r');
         }
@@ -114,7 +118,7 @@ void grid_write_latex(const struct grid *grid, struct output *output, bool with_
 
 void grid_latex_close(const struct grid *grid, struct output *output)
 {
-    output_string(output, "\\bottomrule\n\\end{tabular}\n");
+    output_string(output, "\\bottomrule\n\\end{" TABLE "}\n");
     if (grid != NULL && grid->note != NULL) {
         grid_latex_paragraph(grid->arena, output, grid_printable(grid->arena, grid->note));
     }

@@ -29,6 +29,7 @@ struct format {
     struct word word;   /* "csv", what it is */
     bool is_for_people; /* scaled for reading, units in the heads */
     bool is_keyed;      /* each row names its values: later rows may have more that is handed on */
+    bool has_lists;     /* assumptions are items of a list */
     char separator;     /* between the cells of a line; 0 = the lines have no cells */
     /* A whole table, with its head or without; null: the format has none. */
     void (*write_grid)(const struct grid *grid, struct output *output, bool with_head);

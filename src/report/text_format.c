@@ -538,8 +538,8 @@ static void text_end(struct report *report)
     .end = text_end
 
 const struct format format_text = {{"text", "aligned table with units"}, TEXT(grid_write_text)};
-const struct format format_markdown = {{"markdown", "table for a document"},
-                                       TEXT(grid_write_markdown)};
+const struct format format_markdown = {
+    {"markdown", "table for a document"}, .has_lists = true, TEXT(grid_write_markdown)};
 const struct format format_latex = {{"latex", "table with booktabs for a LaTeX document"},
                                     TEXT(grid_write_latex)};
 const struct format format_html = {{"html", "page to print"}, TEXT(grid_write_html)};

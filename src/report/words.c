@@ -18,7 +18,7 @@ const char *report_words(const struct report *report, const struct shown *shown,
 
 const char *report_assumptions(const struct report *report, const void *row)
 {
-    const bool is_list = report->format == &format_markdown;
+    const bool is_list = report->format->has_lists;
     const char *const first = is_list ? "assuming\n\n- " : "assuming ";
     const char *const next = is_list ? "\n- " : ", ";
     const char *line = NULL;

@@ -155,16 +155,24 @@ static void check_steps(void)
     }
 }
 
+static const char *latex_of(struct arena *arena, const char *text)
+{
+    struct output output;
+    output_begin(&output, -1, arena);
+    grid_latex_paragraph(arena, &output, text);
+    return arena_string(arena, output.buffer, output.used);
+}
+
 /* The ten characters that LaTeX keeps for itself (its Reference Manual, "Reserved characters"). */
 static void check_latex(void)
 {
     struct arena arena = {0};
     struct output output;
-    CHECK_TEXT(grid_latex_text(&arena, "50% & $5_a^b {~#}"),
-               "50\\% \\& \\$5\\_a\\textasciicircum{}b \\{\\textasciitilde{}\\#\\}");
-    CHECK_TEXT(grid_latex_text(&arena, "\\input{x}"), "\\textbackslash{}input\\{x\\}");
+    CHECK_TEXT(latex_of(&arena, "50% & $5_a^b {~#}"),
+               "\n50\\% \\& \\$5\\_a\\textasciicircum{}b \\{\\textasciitilde{}\\#\\}\n");
+    CHECK_TEXT(latex_of(&arena, "\\input{x}"), "\n\\textbackslash{}input\\{x\\}\n");
     /* behind the end of a row these would be its argument, or its star */
-    CHECK_TEXT(grid_latex_text(&arena, "[1] *"), "{[}1] {*}");
+    CHECK_TEXT(latex_of(&arena, "[1] *"), "\n{[}1] {*}\n");
     struct grid grid = grid_new(&arena, 2, 2);
     static const char *const cells[3][2] = {{"lens", "distance"}, {"", "m"}, {"a-1", "-1.5"}};
     grid.left[0] = true;
@@ -178,7 +186,7 @@ static void check_latex(void)
     grid_latex_close(NULL, &output);
     grid_latex_paragraph(&arena, &output, "one\ntwo\n\nthree");
     CHECK_TEXT(arena_string(&arena, output.buffer, output.used),
-               "% needs \\usepackage{booktabs}\n"
+               "% needs the package booktabs\n"
                "\\noindent\\begin{tabular}{lr}\n\\toprule\nlens & distance \\\\\n & m \\\\\n"
                "\\midrule\na-1 & $-$1.5 \\\\\n\\bottomrule\n\\end{tabular}\n"
                "\none \\\\\ntwo\n\nthree\n");
