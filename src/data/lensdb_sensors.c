@@ -2,6 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "data/lensdb.h"
 
+#include "data/camera_name.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -18,6 +20,9 @@ enum {
     PIXELS_HIGH,
     PITCH,
     PITCH_FROM,
+    FOCAL,
+    EQUIVALENT,
+    FNUMBER,
     CONFIDENCE,
     SOURCE,
     COLUMNS
@@ -36,6 +41,9 @@ bool lensdb_sensors_open(struct lensdb_table *sensors, struct lensdb *db, enum l
                                         "px_h",
                                         "pitch_um",
                                         "pitch_from",
+                                        "focal_mm",
+                                        "equivalent_mm",
+                                        "fnumber",
                                         "confidence",
                                         "source"};
     return lensdb_table_open(sensors, db, place, cameras ? "cameras.tsv" : "formats.tsv", names,
@@ -86,6 +94,9 @@ static bool next_words(struct lensdb_table *sensors, struct lensdb_sensor *senso
         .aliases = lensdb_table_cell(sensors, ALIASES),
         .class = lensdb_table_cell(sensors, CLASS),
         .pitch_from = lensdb_table_cell(sensors, PITCH_FROM),
+        .focal = lensdb_table_cell(sensors, FOCAL),
+        .equivalent = lensdb_table_cell(sensors, EQUIVALENT),
+        .fnumber = lensdb_table_cell(sensors, FNUMBER),
         .confidence = lensdb_table_cell(sensors, CONFIDENCE),
         .source = lensdb_table_cell(sensors, SOURCE),
         .place = sensors->place,
@@ -169,7 +180,8 @@ static int sensor_answers_to(const struct lensdb_sensor *sensor,
     if (text_same_name(sensor->name, search->model)) {
         return search->by_maker ? 2 : 1;
     }
-    if (is_one_of(search->model, sensor->aliases, ',')) {
+    if (is_one_of(search->model, sensor->aliases, ',') ||
+        (search->by_maker && is_one_of(search->name, sensor->aliases, ','))) {
         return 2;
     }
     return is_one_of(search->model, sensor->name, '/') ? 1 : 0;
@@ -202,9 +214,54 @@ static bool search_table(struct lensdb *db, enum lensdb_place place, bool camera
     return search->quality == 2 || error->code == ERROR_NONE;
 }
 
+/* Is a folded name that of a camera, or one of its other names, by their short forms? */
+static bool is_short_for(struct text folded, const struct lensdb_sensor *camera)
+{
+    char own[MOST_CAMERA_NAME];
+    bool is_it = text_identical(camera_name_fold(camera->name, own), folded);
+    struct text aliases = camera->aliases;
+    while (!is_it && aliases.start != NULL && aliases.length > 0) {
+        is_it = text_identical(camera_name_fold(text_cut(&aliases, ','), own), folded);
+    }
+    return is_it;
+}
+
+/* Look through the cameras of one place for what the name is short for. Two of one size are as good
+   as one. */
+static bool search_short(struct lensdb *db, enum lensdb_place place,
+                         struct lensdb_sensors_search *search, struct error *error)
+{
+    struct lensdb_table cameras;
+    struct lensdb_sensor camera;
+    char short_form[MOST_CAMERA_NAME];
+    if (!lensdb_sensors_open(&cameras, db, place, true, error)) {
+        return error->code == ERROR_NONE;
+    }
+    while (next_words(&cameras, &camera, error)) {
+        struct text model = search->name;
+        cut_maker(&model, camera.maker);
+        const struct text folded = camera_name_fold(model, short_form);
+        if (folded.length < 2 || !is_short_for(folded, &camera)) {
+            continue;
+        }
+        if (!read_sensor_row(&cameras, &camera, error)) {
+            return false;
+        }
+        if (search->quality == 0) {
+            search->found = camera;
+            search->quality = 1;
+        } else if (camera.size.width != search->found.size.width ||
+                   camera.size.height != search->found.size.height) {
+            search->ambiguous = true;
+            search->second = camera;
+        }
+    }
+    return error->code == ERROR_NONE;
+}
+
 /* -------- what to say where there is no such name -------- */
 
-enum { MOST_RELATIVES = 3, MOST_NAME = 96 };
+enum { MOST_RELATIVES = 3, MOST_NAME = MOST_CAMERA_NAME };
 
 /* The cameras whose names begin most like the one that was typed. */
 struct lensdb_sensors_family {
@@ -223,7 +280,11 @@ static void offer_relative(struct lensdb_sensors_family *family, const struct le
 {
     struct text model = family->typed;
     bool by_maker = sensor->maker.length > 0 && cut_maker(&model, sensor->maker);
+    char typed[MOST_NAME], own[MOST_NAME];
+    const size_t folded =
+        text_shared_name(camera_name_fold(model, typed), camera_name_fold(sensor->name, own));
     size_t shared = text_shared_name(model, sensor->name);
+    shared = folded > shared ? folded : shared;
     if (shared < (by_maker ? 1 : 3)) {
         return;
     }
@@ -314,7 +375,7 @@ static bool not_found(struct lensdb *db, struct text name, struct error *error)
     }
     bool is_slip = family.format.best.start != NULL && family.format.distance <= 1;
     if (relatives[0] != '\0' && !is_slip) {
-        return error_hint(error, "of its family: %s", relatives);
+        return error_hint(error, "nearest of its family: %s", relatives);
     }
     struct text best =
         is_slip || family.nearest.best.start == NULL ? family.format.best : family.nearest.best;
@@ -336,14 +397,22 @@ bool lensdb_find_sensor(struct lensdb *db, struct text name, struct lensdb_senso
             return false;
         }
     }
+    for (enum lensdb_place place = LENSDB_USER; place < LENSDB_PLACES && search.quality == 0;
+         place++) {
+        if (!search_short(db, place, &search, error)) {
+            return false;
+        }
+    }
     if (search.quality == 0) {
         return not_found(db, search.name, error);
     }
     if (search.ambiguous && search.quality == 1) {
-        return fail(error, ERROR_USAGE, "'%.*s' is a camera of %.*s and of %.*s: say which",
+        return fail(error, ERROR_USAGE, "'%.*s' is '%.*s %.*s' and '%.*s %.*s': say which",
                     (int)search.name.length, search.name.start, (int)search.found.maker.length,
-                    search.found.maker.start, (int)search.second.maker.length,
-                    search.second.maker.start);
+                    search.found.maker.start, (int)search.found.name.length,
+                    search.found.name.start, (int)search.second.maker.length,
+                    search.second.maker.start, (int)search.second.name.length,
+                    search.second.name.start);
     }
     *sensor = search.found;
     return true;

@@ -13,9 +13,11 @@ import os
 import re
 import sys
 
-CONFIDENCE = ("sourced", "recall", "approx")
-CAMERAS = ("dslr", "mirrorless", "rangefinder", "compact", "cine", "phone", "drone", "action", "-")
-STATUS = ("published", "third-party", "recall")
+CONFIDENCE = ("sourced", "approx")
+CAMERAS = ("dslr", "mirrorless", "rangefinder", "compact", "cine", "phone", "drone", "action",
+           "sensor", "astronomy", "-")
+LENS = {"focal_mm": (1, 300), "equivalent_mm": (8, 1000), "fnumber": (0.9, 10)}
+STATUS = ("published", "third-party")
 DIVISIONS = {"full": 1, "half": 2, "third": 3}
 DEFAULT_FORMAT = "35mm"
 LABEL_STOPS = 0.25  # a printed label may be this far from the exact value
@@ -40,7 +42,7 @@ WHOLE = {"px_w", "px_h", "step", "din"}
 
 COLUMNS = {
     "formats.tsv": "name aliases width_mm height_mm class confidence source",
-    "cameras.tsv": "maker model aliases class width_mm height_mm px_w px_h pitch_um pitch_from confidence source",
+    "cameras.tsv": "maker model aliases class width_mm height_mm px_w px_h pitch_um pitch_from focal_mm equivalent_mm fnumber confidence source",
     "fstops.tsv": "series step label note",
     "shutters.tsv": "series step label note",
     "iso.tsv": "series step label din note",
@@ -214,6 +216,15 @@ def check_cameras(path, rows):
             faults.append("pitch differs from width / px_w by more than 5 %")
         if width and height and px_w and px_h and abs(width / px_w * px_h / height - 1) > 0.05:
             faults.append("pixels differ from square by more than 5 %")
+        for column, (low, high) in LENS.items():
+            ends = [number(end) for end in row[column].split("-")] if row[column] != "-" else []
+            if None in ends or len(ends) > 2 or ends != sorted(ends) or \
+                    any(not low <= end <= high for end in ends):
+                faults.append(f"{column} '{row[column]}' is neither a number nor two, rising")
+        focal, equivalent = number(row["focal_mm"]), number(row["equivalent_mm"])
+        if focal and equivalent and width and height and abs(
+                focal * math.hypot(36, 24) / math.hypot(width, height) / equivalent - 1) > 0.12:
+            faults.append("real and equivalent focal length do not belong to this area")
         if row["class"] not in CAMERAS:
             faults.append(f"class '{row['class']}' is none of {', '.join(CAMERAS)}")
         check(f"{path}:{line}", faults)

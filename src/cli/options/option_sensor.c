@@ -5,6 +5,9 @@
 #include <math.h>
 #include <string.h>
 
+/* mm on 35 mm film: longer ones are no main lenses of phones and drones. */
+static const double NORMAL_LENS = 40;
+
 static const char *size_name(struct arena *arena, struct sensor size)
 {
     char width[NUMBER_LENGTH + 1], height[NUMBER_LENGTH + 1];
@@ -86,9 +89,16 @@ static struct sensor_value name_sensor(const struct reader *reader,
     sensor.name = arena_printf(reader->arena, "%.*s%s%.*s (%s)", (int)found->maker.length,
                                found->maker.start, found->maker.length > 0 ? " " : "",
                                (int)found->name.length, found->name.start, size);
-    /* cameras with a lens that cannot be changed, and whose main one is wide */
-    sensor.is_wide = text_equal(found->class, "phone") || text_equal(found->class, "drone") ||
-                     text_equal(found->class, "action");
+    /* cameras with a lens that cannot be changed, and that is wide but for the long module of a
+       phone or drone */
+    double equivalent = NAN;
+    struct error ignored;
+    const bool is_long = quantity_read(found->equivalent, &dimension_number, NULL, &equivalent,
+                                       NULL, &ignored) &&
+                         equivalent > NORMAL_LENS;
+    sensor.is_wide = !is_long &&
+                     (text_equal(found->class, "phone") || text_equal(found->class, "drone") ||
+                      text_equal(found->class, "action"));
     if (text_equal(found->pitch_from, "estimate")) {
         sensor.pitch_note = "worked out from an estimated pixel count, good to about 2 %";
     }

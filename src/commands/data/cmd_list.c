@@ -6,7 +6,8 @@
 static const struct word topic_words[] = {
     {"lenses", "lenses with their prescriptions"},
     {"formats", "film and sensor formats"},
-    {"cameras", "digital cameras, cine cameras with their sensor modes, drones, phones"},
+    {"cameras", "digital cameras, cine cameras with their modes, phones, drones, "
+                "cameras of telescopes, image sensors"},
     {"films", "films, with the correction of long exposures"},
     {"scenes", "typical scenes and their light"},
     {"filters", "filters and the light they take"},

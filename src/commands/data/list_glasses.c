@@ -80,7 +80,7 @@ static const struct column tolerance_columns[] = {
     {SHOWN(unit), .name = "unit", BRIEF,
      .help = "of the value; a fringe is half a wave of 546.07 nm"},
     {SHOWN(distribution), .name = "distribution", .help = "between the limits"},
-    {SHOWN(confidence), .name = "confidence", BRIEF, .help = "sourced, or recall (from memory)"},
+    {SHOWN(confidence), .name = "confidence", BRIEF, .help = "sourced or approx"},
     {SHOWN(source), .name = "source", BRIEF, .help = "the table that the value is from"},
     {SHOWN(place), .name = "database", .help = "embedded, or the user's own folder"},
 };

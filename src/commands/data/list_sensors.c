@@ -5,6 +5,7 @@
 
 struct sensor_row {
     const char *name, *aliases, *class, *pitch_from, *confidence, *source, *place;
+    const char *focal, *equivalent, *fnumber;
     double width, height, diagonal, crop, coc, pixels_wide, pixels_high, pitch;
 };
 
@@ -22,7 +23,7 @@ struct sensor_row {
 
 #define SENSOR_ORIGIN                                                                              \
     ENTRY(SHOWN(confidence), .name = "confidence", BRIEF,                                          \
-          .help = "sourced, recall (from memory) or approx"),                                      \
+          .help = "sourced or approx"),                                      \
         ENTRY(SHOWN(source), .name = "source", .help = "where the figures are from"),              \
         ENTRY(SHOWN(place), .name = "database", .help = "embedded, or the user's own folder")
 
@@ -42,7 +43,8 @@ static const struct column camera_columns[] = {
     {SHOWN(aliases), .name = "aliases", .label = "also called",
      .help = "other names: short, in EXIF, of sensor modes"},
     {SHOWN(class), .name = "class", BRIEF,
-     .help = "dslr, mirrorless, rangefinder, compact, cine, phone, drone or action"},
+     .help = "dslr, mirrorless, rangefinder, compact, cine, phone, drone, action, sensor or "
+             "astronomy"},
     SENSOR_SIZE,
     {SHOWN(pixels_wide), .name = "pixels_wide", BRIEF | COLUMN_ECHO, .label = "pixels wide",
      .help = "pixel count along the width"},
@@ -52,6 +54,12 @@ static const struct column camera_columns[] = {
      .help = "spacing of the pixels"},
     {SHOWN(pitch_from), .name = "pitch_from", BRIEF, .label = "pitch from",
      .help = "published, counts (width over pixels), or estimate (from an estimated count)"},
+    {SHOWN(focal), .name = "focal_mm", BRIEF, .label = "lens mm",
+     .help = "focal length of a fixed lens; of a zoom both ends, as 24-70"},
+    {SHOWN(equivalent), .name = "equivalent_mm", BRIEF, .label = "on 35 mm film",
+     .help = "focal length with the same field on 35 mm film, as the maker rounds it"},
+    {SHOWN(fnumber), .name = "fnumber", .label = "f-number",
+     .help = "largest aperture of a fixed lens; of a zoom at both ends"},
     SENSOR_ORIGIN,
 };
 
@@ -69,6 +77,9 @@ static bool list_sensors(struct list *list, struct error *error)
             .aliases = list_string(list, sensor.aliases),
             .class = list_string(list, sensor.class),
             .pitch_from = list_string(list, sensor.pitch_from),
+            .focal = list_string(list, sensor.focal),
+            .equivalent = list_string(list, sensor.equivalent),
+            .fnumber = list_string(list, sensor.fnumber),
             .confidence = list_string(list, sensor.confidence),
             .source = list_string(list, sensor.source),
             .place = list_place(list->place),
