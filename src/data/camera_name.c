@@ -6,7 +6,7 @@
 #include <stddef.h>
 #include <string.h>
 
-static const char *const series[] = {"eos", "alpha", "cybershot", "cyber", "shot",  "dsc",
+static const char *const series[] = {"eos", "alpha", "cybershot", "cyber", "shot",    "dsc",
                                      "dc",  "dmc",   "powershot", "lumix", "coolpix", "finepix"};
 
 static const char *const romans[] = {"ii", "iii", "iv", "v", "vi", "vii", "viii", "ix"};
@@ -90,9 +90,8 @@ struct text camera_name_fold(struct text model, char folded[MOST_CAMERA_NAME])
                 next++;
             }
             const bool is_glued = next == i;
-            const bool is_before_digit =
-                next < model.length && char_is_digit(model.start[next]) &&
-                (is_glued || without_mark(letters, length) < length);
+            const bool is_before_digit = next < model.length && char_is_digit(model.start[next]) &&
+                                         (is_glued || without_mark(letters, length) < length);
             char digit = 0;
             const size_t kept = letters_fold(letters, length, has_digit, is_before_digit, &digit);
             memcpy(folded + used, letters, kept);

@@ -122,8 +122,8 @@ bool lensdb_sensors_next(struct lensdb_table *sensors, struct lensdb_sensor *sen
 /*
  * Find a format or camera by name: the user's formats, the user's cameras, then the embedded ones.
  * Case, blanks, '-' and '_' do not count; a camera is known by maker and model, by its model, by an
- * alias, or by one of the models that stand in its row between " / "; where nothing has the name, by
- * its short form (camera_name_fold): "5D4", "Canon R6 II".
+ * alias, or by one of the models that stand in its row between " / "; where nothing has the name,
+ * by its short form (camera_name_fold): "5D4", "Canon R6 II".
  *
  * Errors    ERROR_USAGE with what is near, of cameras the family with its formats: no such name, or
  *           a model that two makers have

@@ -31,3 +31,12 @@ lenscalc list cameras drone mavic --columns camera,pitch,confidence --csv
 lenscalc list cameras alexa 35 16:9 --columns camera --csv
 lenscalc list cameras ilce-7rm5 --columns camera --csv
 lenscalc list cameras --kind Google --columns camera,class --csv
+# as people shorten them, and what no source covers
+for name in 'Canon R6 II' 'canon 5d mark 4' 5D4 'GoPro Hero 12' 'Sony A7R5' 'canon 7d mkII' GR3 QHY600; do
+    lenscalc fov -f 50 --sensor "$name" --columns horizontal --json | grep -o '"sensor":"[^"]*"'
+done
+camera 'GoPro Hero 14'
+camera 'canon 5d mark 7'
+lenscalc list cameras iphone 15 pro --columns camera,focal_mm,equivalent_mm,fnumber,pitch --csv
+lenscalc list cameras --kind Sony imx25 --columns camera,width,height,pixels_wide,pitch --csv
+lenscalc list cameras asi533mc --columns camera,width,pixels_wide,pitch --csv

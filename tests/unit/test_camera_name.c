@@ -69,8 +69,8 @@ static void check_unique(struct lensdb *db)
     while (all != NULL && count < MOST && lensdb_sensors_next(&cameras, &camera, &error)) {
         char folded[MOST_CAMERA_NAME];
         camera_name_fold(camera.name, folded);
-        snprintf(all[count].name, sizeof all[count].name, "%.*s %s",
-                 (int)camera.maker.length, camera.maker.start, folded);
+        snprintf(all[count].name, sizeof all[count].name, "%.*s %s", (int)camera.maker.length,
+                 camera.maker.start, folded);
         all[count++].size = camera.size;
     }
     CHECK(error.code == ERROR_NONE && count > 1000 && count < MOST);

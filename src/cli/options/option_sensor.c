@@ -93,12 +93,12 @@ static struct sensor_value name_sensor(const struct reader *reader,
        phone or drone */
     double equivalent = NAN;
     struct error ignored;
-    const bool is_long = quantity_read(found->equivalent, &dimension_number, NULL, &equivalent,
-                                       NULL, &ignored) &&
-                         equivalent > NORMAL_LENS;
-    sensor.is_wide = !is_long &&
-                     (text_equal(found->class, "phone") || text_equal(found->class, "drone") ||
-                      text_equal(found->class, "action"));
+    const bool is_long =
+        quantity_read(found->equivalent, &dimension_number, NULL, &equivalent, NULL, &ignored) &&
+        equivalent > NORMAL_LENS;
+    sensor.is_wide =
+        !is_long && (text_equal(found->class, "phone") || text_equal(found->class, "drone") ||
+                     text_equal(found->class, "action"));
     if (text_equal(found->pitch_from, "estimate")) {
         sensor.pitch_note = "worked out from an estimated pixel count, good to about 2 %";
     }

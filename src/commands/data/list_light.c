@@ -8,7 +8,7 @@
 
 #define ORIGIN                                                                                     \
     ENTRY(SHOWN(confidence), .name = "confidence", BRIEF,                                          \
-          .help = "published or sourced, third-party, or approx"),           \
+          .help = "published or sourced, third-party, or approx"),                                 \
         ENTRY(SHOWN(source), .name = "source", BRIEF, .help = "where the figures are from"),       \
         ENTRY(SHOWN(place), .name = "database", .help = "embedded, or the user's own folder")
 

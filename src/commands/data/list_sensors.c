@@ -22,8 +22,7 @@ struct sensor_row {
               .help = "43.27 mm over the diagonal")
 
 #define SENSOR_ORIGIN                                                                              \
-    ENTRY(SHOWN(confidence), .name = "confidence", BRIEF,                                          \
-          .help = "sourced or approx"),                                      \
+    ENTRY(SHOWN(confidence), .name = "confidence", BRIEF, .help = "sourced or approx"),            \
         ENTRY(SHOWN(source), .name = "source", .help = "where the figures are from"),              \
         ENTRY(SHOWN(place), .name = "database", .help = "embedded, or the user's own folder")
 
