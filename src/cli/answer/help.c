@@ -3,6 +3,7 @@
 #include "cli/answer/help.h"
 
 #include "cli/answer/complain.h"
+#include "cli/question/operands.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -94,8 +95,10 @@ void help_write(const struct command *command, struct output *output, struct are
             usage = arena_printf(arena, "%s [%s]%s", usage, option->value, many ? "..." : "");
         }
     }
-    output_paragraph(output, arena_printf(arena, "%s [options]: %s", usage, command->summary), 0, 2,
-                     help_width(output));
+    output_paragraph(output,
+                     arena_printf(arena, "%s%s [options]: %s", usage,
+                                  operands_usage(command, arena), command->summary),
+                     0, 2, help_width(output));
     output_string(output, "\nExamples:\n");
     for (const struct example *example = command->examples; example->arguments != NULL; example++) {
         write_example(example->arguments, output);

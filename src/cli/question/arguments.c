@@ -2,6 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "cli/question/arguments.h"
 
+#include "cli/question/operands.h"
+
 #include <string.h>
 
 /* As people write option names: '_' may stand for '-'. */
@@ -128,6 +130,8 @@ struct words {
     char **all;
     struct arena *arena;
     struct argument *last; /* whose value was read last; null behind flags and operands */
+    struct text *operands; /* values without their options, see cli/question/operands.h */
+    size_t operand_count;
 };
 
 static bool is_flag(const struct argument *argument)
@@ -315,6 +319,16 @@ static bool parse_operand(struct arguments *arguments, struct text word, struct 
                                           last->text.start, between, (int)word.length, word.start));
         return true;
     }
+    const int at = words->at - 1;
+    const size_t used =
+        operands_read(arguments->command, words->all + at, (size_t)(words->count - at),
+                      &words->operands[words->operand_count], arena);
+    if (used > 0) {
+        words->operand_count++;
+        words->at = at + (int)used;
+        words->last = NULL;
+        return true;
+    }
     for (size_t i = 0; i < arguments->count; i++) {
         struct argument *argument = &arguments->all[i];
         unsigned flags = argument->option->flags;
@@ -372,7 +386,10 @@ static bool check_standard_input(const struct arguments *arguments, struct error
 bool arguments_parse(struct arguments *arguments, const struct command *command, int count,
                      char **all, struct arena *arena, struct error *error)
 {
-    struct words words = {.count = count, .all = all, .arena = arena};
+    struct words words = {.count = count,
+                          .all = all,
+                          .arena = arena,
+                          .operands = ARENA_ARRAY(arena, (size_t)count + 1, struct text)};
     bool options_end = false;
     arguments->command = command;
     arguments->color = color_of(count, all);
@@ -408,6 +425,9 @@ bool arguments_parse(struct arguments *arguments, const struct command *command,
         if (!done) {
             return false;
         }
+    }
+    if (!operands_settle(arguments, words.operands, words.operand_count, error)) {
+        return false;
     }
     arguments->given = ARENA_ARRAY(arena, arguments->count, const char *);
     for (size_t i = 0; i < arguments->count; i++) {

@@ -1,0 +1,175 @@
+/* cli/question/operands.c - values that stand without their options: dof 50mm f/2.8 3m. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/question/operands.h"
+
+#include <math.h>
+#include <string.h>
+
+/* In the order in which they are tried: the first length is the focal length. */
+static const struct {
+    const char *option, *example;
+} operand_options[] = {
+    {"focal-length", "50mm"}, {"aperture", "f/2.8"}, {"distance", "3m"},
+    {"time", "1/125"},        {"iso", "iso400"},     {"ev", "EV12"},
+};
+enum { OPERAND_OPTIONS = sizeof operand_options / sizeof operand_options[0] };
+
+static const struct option *operand_option(const struct command *command, size_t i)
+{
+    for (size_t k = 0; k < command->option_count; k++) {
+        if (strcmp(command->options[k].name, operand_options[i].option) == 0) {
+            return command->options[k].dimension != NULL ? &command->options[k] : NULL;
+        }
+    }
+    return NULL;
+}
+
+static bool command_has_operands(const struct command *command)
+{
+    for (size_t i = 0; i < command->option_count; i++) {
+        if ((command->options[i].flags & OPTION_OPERAND) != 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Is a value written as only those of one dimension are: with its unit, its prefix, as 1/125? */
+static bool operand_shows(struct text value, const struct dimension *dimension)
+{
+    struct error ignored;
+    double number;
+    const struct unit *typed;
+    if (value.length == 0 || !quantity_read(value, dimension, NULL, &number, &typed, &ignored)) {
+        return false;
+    }
+    if (isinf(number)) {
+        return dimension == &dimension_length; /* a distance: nothing else is infinite */
+    }
+    const bool has_prefix = !char_is_digit(value.start[0]) && strchr("+-.", value.start[0]) == NULL;
+    const bool is_fraction =
+        dimension == &dimension_time && memchr(value.start, '/', value.length) != NULL;
+    return typed != NULL || has_prefix || is_fraction;
+}
+
+/* The end of a range without the step, factor, count or series behind it. */
+static struct text operand_range_end(struct text last)
+{
+    size_t i = 1;
+    while (i < last.length && strchr(":#*", last.start[i]) == NULL &&
+           !(last.start[i] == '/' && char_is_digit(last.start[i - 1]) && i + 1 < last.length &&
+             !char_is_digit(last.start[i + 1]))) {
+        i++;
+    }
+    return (struct text){last.start, i < last.length ? i : last.length};
+}
+
+/* The same of a list or a range: one of its values says what all are, as in 24..70mm. */
+static bool operand_is_of(struct text word, const struct option *option)
+{
+    bool found = false;
+    while (word.start != NULL && !found) {
+        struct text last = text_cut(&word, ',');
+        const struct text first = text_cut_range(&last);
+        found = operand_shows(first, option->dimension) ||
+                operand_shows(operand_range_end(last), option->dimension);
+    }
+    return found;
+}
+
+/* The first option of which values are written so, of those that are left; else their count. */
+static size_t operand_find(const struct command *command, struct text word, const bool *is_taken)
+{
+    size_t i = 0;
+    for (; i < OPERAND_OPTIONS; i++) {
+        const struct option *option = operand_option(command, i);
+        if (option != NULL && !is_taken[i] && operand_is_of(word, option)) {
+            break;
+        }
+    }
+    return i;
+}
+
+/* Is it one value in two words, "50" "mm" or "5ft" "6in"? */
+static bool operand_is_one(const struct command *command, struct text words)
+{
+    bool found = false;
+    for (size_t i = 0; i < OPERAND_OPTIONS && !found; i++) {
+        const struct option *option = operand_option(command, i);
+        found = option != NULL && operand_shows(words, option->dimension);
+    }
+    return found;
+}
+
+size_t operands_read(const struct command *command, char *const *words, size_t count,
+                     struct text *operand, struct arena *arena)
+{
+    static const bool none_taken[OPERAND_OPTIONS];
+    const char *joined = words[0];
+    size_t used = 1;
+    if (command_has_operands(command)) {
+        return 0;
+    }
+    while (used < count) {
+        const char *more = arena_printf(arena, "%s %s", joined, words[used]);
+        if (!operand_is_one(command, text_of(more))) {
+            break;
+        }
+        joined = more;
+        used++;
+    }
+    *operand = text_of(joined);
+    return operand_find(command, *operand, none_taken) < OPERAND_OPTIONS ? used : 0;
+}
+
+/* All options that it could be a value of have theirs. */
+static bool operand_refuse(const struct command *command, struct text word, struct error *error)
+{
+    const char *names[2] = {NULL, NULL};
+    for (size_t i = 0, count = 0; i < OPERAND_OPTIONS && count < 2; i++) {
+        const struct option *option = operand_option(command, i);
+        if (option != NULL && operand_is_of(word, option)) {
+            names[count++] = option->name;
+        }
+    }
+    if (names[1] == NULL) {
+        return fail(error, ERROR_USAGE, "'%.*s' is one value too many: --%s has one already",
+                    text_shown(word), word.start, names[0]);
+    }
+    return fail(error, ERROR_USAGE, "'%.*s' is one value too many: --%s and --%s have theirs",
+                text_shown(word), word.start, names[0], names[1]);
+}
+
+bool operands_settle(const struct arguments *arguments, const struct text *operands, size_t count,
+                     struct error *error)
+{
+    const struct command *command = arguments->command;
+    bool is_taken[OPERAND_OPTIONS] = {false};
+    for (size_t i = 0; i < count; i++) {
+        const size_t found = operand_find(command, operands[i], is_taken);
+        if (found == OPERAND_OPTIONS) {
+            return operand_refuse(command, operands[i], error);
+        }
+        struct argument *argument =
+            arguments_find(arguments, text_of(operand_options[found].option));
+        if (argument->is_given) {
+            fail(error, ERROR_USAGE, "'%.*s' stands for --%s, which is given as well",
+                 text_shown(operands[i]), operands[i].start, argument->option->name);
+            return error_hint(error, "name the option that it belongs to");
+        }
+        argument->is_given = is_taken[found] = true;
+        argument->text = operands[i];
+    }
+    return true;
+}
+
+const char *operands_usage(const struct command *command, struct arena *arena)
+{
+    const char *usage = "";
+    for (size_t i = 0; i < OPERAND_OPTIONS && !command_has_operands(command); i++) {
+        if (operand_option(command, i) != NULL) {
+            usage = arena_printf(arena, "%s [%s]", usage, operand_options[i].example);
+        }
+    }
+    return usage;
+}
