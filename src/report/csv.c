@@ -72,7 +72,7 @@ static bool has_only_numbers(const struct report *report)
            report->passed_count == 0 && !report->has_error_column;
 }
 
-static void csv_begin(struct report *report)
+static void csv_write_names(struct report *report)
 {
     char separator = report->format->separator;
     size_t cells = 0;
@@ -93,6 +93,13 @@ static void csv_begin(struct report *report)
         output_string(report->output, "error");
     }
     output_character(report->output, '\n');
+}
+
+static void csv_begin(struct report *report)
+{
+    if (!report->is_headless) {
+        csv_write_names(report);
+    }
     if (has_only_numbers(report)) {
         report->state = report->shown;
     }
@@ -148,14 +155,12 @@ static void csv_end(struct report *report)
 
 static void csv_grid(const struct grid *grid, struct output *output, bool with_head)
 {
-    (void)with_head; /* a head row is a row */
-    grid_write_separated(grid, output, ',');
+    grid_write_separated(grid, output, ',', with_head);
 }
 
 static void tsv_grid(const struct grid *grid, struct output *output, bool with_head)
 {
-    (void)with_head;
-    grid_write_separated(grid, output, '\t');
+    grid_write_separated(grid, output, '\t', with_head);
 }
 
 const struct format format_csv = {{"csv", "comma-separated values"},
@@ -170,3 +175,27 @@ const struct format format_tsv = {{"tsv", "tab-separated values"},
                                   .begin = csv_begin,
                                   .row = row,
                                   .end = csv_end};
+
+static void value_begin(struct report *report)
+{
+    (void)report;
+}
+
+/* A row that failed has an empty line: its place is kept. */
+static void value_row(struct report *report, const void *row, const struct passed_cell *passed,
+                      const struct error *failure)
+{
+    (void)passed;
+    (void)failure;
+    const struct shown *shown = &report->shown[0];
+    if (row != NULL && shown->column->type == COLUMN_TEXT) {
+        const char *text = row_text(row, shown->column);
+        output_string(report->output, text != NULL ? text : "");
+    } else if (row != NULL) {
+        csv_write_value(report, row, shown);
+    }
+    output_character(report->output, '\n');
+}
+
+const struct format format_value = {
+    {"value", "bare values"}, .begin = value_begin, .row = value_row, .end = csv_end};

@@ -193,9 +193,10 @@ void grid_html_close(const struct grid *grid, struct output *output)
     }
 }
 
-void grid_write_separated(const struct grid *grid, struct output *output, char separator)
+void grid_write_separated(const struct grid *grid, struct output *output, char separator,
+                          bool with_head)
 {
-    for (size_t i = 0; i < grid->rows; i++) {
+    for (size_t i = with_head ? 0 : grid->head_rows; i < grid->rows; i++) {
         for (size_t j = 0; j < grid->columns; j++) {
             if (j > 0) {
                 output_character(output, separator);

@@ -58,7 +58,8 @@ void grid_write_text(const struct grid *grid, struct output *output, bool with_h
 void grid_write_markdown(const struct grid *grid, struct output *output, bool with_head);
 void grid_write_html(const struct grid *grid, struct output *output, bool with_head);
 void grid_write_latex(const struct grid *grid, struct output *output, bool with_head);
-void grid_write_separated(const struct grid *grid, struct output *output, char separator);
+void grid_write_separated(const struct grid *grid, struct output *output, char separator,
+                          bool with_head);
 
 /* Text that means nothing but itself in Markdown: no end of a cell, no HTML, no link. */
 const char *grid_markdown_text(struct arena *arena, const char *string);

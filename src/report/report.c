@@ -239,7 +239,7 @@ static bool select_named(struct report *report, const struct selection *selectio
             /* the reasons of rows that fail; a column that is called so stands beside them */
             report->has_error_column = !is_column || selection->many;
         } else if (!is_column) {
-            return error_prefix(error, "{columns}: ");
+            return error_prefix(error, "{%s}: ", selection->naming);
         }
         if (!is_column) {
             error->code = ERROR_NONE;
@@ -247,7 +247,8 @@ static bool select_named(struct report *report, const struct selection *selectio
         }
         for (size_t i = 0; i < report->shown_count; i++) {
             if (strcmp(report->shown[i].name, shown.name) == 0) {
-                return fail(error, ERROR_USAGE, "{columns} names '%s' twice", shown.name);
+                return fail(error, ERROR_USAGE, "{%s} names '%s' twice", selection->naming,
+                            shown.name);
             }
         }
         report->shown[report->shown_count++] = shown;

@@ -42,6 +42,9 @@ struct format {
 extern const struct format format_text, format_csv, format_tsv, format_json, format_jsonl,
     format_markdown, format_latex, format_html;
 
+/* The one column that is shown, a bare value a line: for --value, no choice of --format. */
+extern const struct format format_value;
+
 /* All formats; ends with null. */
 extern const struct format *const formats[];
 
@@ -62,6 +65,7 @@ struct report {
     const struct text *passed_names; /* columns of a batch that are handed through */
     size_t passed_count;
     bool has_error_column;
+    bool is_headless;                  /* no line of names above the rows of csv and tsv */
     bool are_named;                    /* the columns, by --columns: their heads are these names */
     bool *has_value;                   /* has any row that was looked at one, of each of these */
     bool has_good_row;                 /* was a row looked at? */
@@ -90,7 +94,8 @@ static inline bool report_shows(const struct report *report, const struct column
 
 /* The columns to print, and which options shape them. */
 struct selection {
-    const char *columns; /* --columns, or null for the usual ones */
+    const char *columns; /* names of columns, or null for the usual ones */
+    const char *naming;  /* the option that names them: "columns" */
     bool many;           /* rows of a sweep or a batch */
     enum { SELECT_ALL, SELECT_LIST, SELECT_TABLE } layout; /* machine; one answer; many rows */
     bool (*given)(const void *asked, const char *option);  /* was this option given? */

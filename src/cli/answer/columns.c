@@ -182,6 +182,7 @@ int columns_print(const struct command *command, const struct common *common, st
                             .arena = arena,
                             .command = command->name,
                             .sheet = &described,
+                            .is_headless = common->no_header,
                             .remedy = "--csv shows all",
                             .many = true};
     const struct selection selection = {.many = true,

@@ -50,6 +50,11 @@ const struct option common_options[] = {
     {COMMON(jsonl), .name = "jsonl", .help = "short for --format jsonl"},
     {COMMON(columns), .name = "columns", .value = "NAMES",
      .help = "print these columns ('?' lists them); a unit behind the name converts: near_ft"},
+    {COMMON(value), .name = "value", .value = "COLUMN",
+     .excludes = "format csv tsv json jsonl columns table no-header", .why = "a value stands bare",
+     .help = "print the values of this column alone, without name and unit, for $(...)"},
+    {COMMON(no_header), .name = "no-header",
+     .help = "leave out the line of names above the rows of csv and tsv"},
     {COMMON(digits), .name = "digits", .value = "N", .lowest = 1, .highest = 17,
      .help = "significant digits (text: 4; machine formats: as many as read back the same)"},
     {COMMON(units), .name = "units", .value = "SYSTEM", .words = unit_words, .fallback = "metric",
@@ -242,6 +247,8 @@ static const struct {
     {"json", common_has_rows, "prints no rows", 0},
     {"jsonl", common_has_rows, "prints no rows", 0},
     {"columns", common_has_rows, "prints no rows", 0},
+    {"value", common_has_rows, "prints no rows", 0},
+    {"no-header", common_has_rows, "prints no rows", 0},
     {"digits", common_has_rows, "prints no rows", 0},
     {"units", has_distances, "prints no distances in metres", 0},
     {"table", takes_two, "has no value for each pair of two swept options", 0},
@@ -318,5 +325,12 @@ bool common_format(const struct common *common, bool has_format, const struct fo
             given++;
         }
     }
-    return given <= 1 || fail(error, ERROR_USAGE, "more than one output format is given");
+    if (given > 1) {
+        return fail(error, ERROR_USAGE, "more than one output format is given");
+    }
+    if (common->value != NULL && given == 0) {
+        *format = &format_value;
+    }
+    return !common->no_header || (*format)->separator != '\0' || common->value != NULL ||
+           fail(error, ERROR_USAGE, "--no-header needs --csv or --tsv");
 }

@@ -269,7 +269,7 @@ static void write_grid(struct report *report, const struct grid *grid)
         grid_html_end(report->output);
         return;
     }
-    report->format->write_grid(grid, report->output, true);
+    report->format->write_grid(grid, report->output, !report->is_headless);
     if (report->format == &format_latex) {
         grid_latex_close(grid, report->output);
         if (report->explain != NULL) {

@@ -51,22 +51,28 @@ static bool set_up_report(struct driver *driver, struct error *error)
     report->arena = &driver->arena;
     report->output = &driver->output;
     report->digits = (int)driver->common.digits;
+    report->is_headless = driver->common.no_header;
     report->nominal = driver->common.nominal ? "--nominal" : NULL;
     report->units = (enum unit_system)driver->common.units;
     report->many = report->many || driver->is_batch || driver->sweep.total > 1;
     report->has_error_column = (driver->is_batch || driver->sweep.total > 1) &&
                                driver->common.columns == NULL && report->format->separator != '\0';
-    driver->selection = (struct selection){.columns = driver->common.columns,
-                                           .many = driver->is_batch || driver->sweep.total > 1,
-                                           .layout = report->many ? SELECT_TABLE : SELECT_LIST,
-                                           .given = asked_brings,
-                                           .varied = asked_varied,
-                                           .asked = driver};
+    driver->selection =
+        (struct selection){.columns = driver->common.columns,
+                           .naming = driver->common.value != NULL ? "value" : "columns",
+                           .many = driver->is_batch || driver->sweep.total > 1,
+                           .layout = report->many ? SELECT_TABLE : SELECT_LIST,
+                           .given = asked_brings,
+                           .varied = asked_varied,
+                           .asked = driver};
     if (!report->format->is_for_people) {
         driver->selection.layout = SELECT_ALL;
     }
     if (!report_select(report, &driver->selection, error)) {
         return false;
+    }
+    if (driver->common.value != NULL && report->shown_count != 1) {
+        return fail(error, ERROR_USAGE, "--value takes the name of one column");
     }
     echo_settle(&driver->echo, report);
     batch_ignore(&driver->batch, report->shown, report->shown_count);
@@ -303,6 +309,9 @@ static bool driver_ask(struct driver *driver, struct error *error)
         !sweep_build(&driver->sweep, &driver->arguments, &driver->reader, common->force,
                      driver->input, error)) {
         return false;
+    }
+    if (common->value != NULL && common->columns == NULL) {
+        driver->common.columns = common->value;
     }
     driver->report.many = command->makes_many != NULL && command->makes_many(driver->input);
     driver->is_batch = common->batch != NULL;

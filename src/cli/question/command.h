@@ -171,8 +171,8 @@ const struct command *command_asked(const struct command *command, int count, ch
 
 /* The options of every command, and the struct they fill. */
 struct common {
-    bool explain, csv, tsv, json, jsonl, nominal, force, fail_fast, lossy, help;
-    const char *columns, *output, *lensdb, *agf, *batch, *table, *plot;
+    bool explain, csv, tsv, json, jsonl, no_header, nominal, force, fail_fast, lossy, help;
+    const char *columns, *value, *output, *lensdb, *agf, *batch, *table, *plot;
     int format, batch_format, units, color;
     int glass_numbers; /* enum glass_numbers */
     int stop_size;     /* enum stop_size */

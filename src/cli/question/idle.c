@@ -139,10 +139,11 @@ static bool check_option(const struct idle *idle, const struct option *option, s
     const char *list = option->excludes != NULL ? option->excludes : "";
     while (*list != '\0' && other == NULL) {
         size_t length = strcspn(list, " ");
-        const struct option *excluded =
-            arguments_find(idle->arguments, text_between(list, list + length))->option;
-        if (asking_given(idle->asking, excluded->name)) {
-            other = excluded;
+        /* a common one that the command has no use for is not there */
+        const struct argument *excluded =
+            arguments_find(idle->arguments, text_between(list, list + length));
+        if (excluded != NULL && asking_given(idle->asking, excluded->option->name)) {
+            other = excluded->option;
         }
         list += length + (list[length] == ' ');
     }
