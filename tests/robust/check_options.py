@@ -218,6 +218,17 @@ def try_columns(asked):
     return asked.run("--csv", "--columns", name).stdout.decode().split("\n")[0] == name
 
 
+def try_value(asked):
+    header, first = asked.run("--csv").stdout.decode().split("\n")[:2]
+    name, cell = (next(csv.reader([line]))[0] for line in (header, first))
+    return asked.run("--value", name).stdout.decode().split("\n")[0] == cell
+
+
+def try_no_header(asked):
+    plain = asked.run("--csv").stdout
+    return asked.run("--csv", "--no-header").stdout == plain.partition(b"\n")[2]
+
+
 def try_digits(asked):
     return asked.differs("--csv", "--digits", "2", plain=asked.run("--csv"))
 
@@ -361,6 +372,7 @@ def try_color(asked):
 
 TRIES = {
     "--format": try_format, "--columns": try_columns, "--digits": try_digits,
+    "--value": try_value, "--no-header": try_no_header,
     "--units": try_units, "--table": try_table, "--plot": try_plot,
     "--explain": try_explain, "--nominal": try_short("nominal"), "--batch": try_batch,
     "--batch-format": try_batch_format, "--fail-fast": try_fail_fast, "--force": try_force,

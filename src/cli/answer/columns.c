@@ -164,7 +164,8 @@ const struct column_row *columns_describe(const struct command *command, size_t 
 
 bool columns_are_asked(const struct common *common)
 {
-    return common->columns != NULL && strcmp(common->columns, "?") == 0;
+    const char *names = common->value != NULL ? common->value : common->columns;
+    return names != NULL && strcmp(names, "?") == 0;
 }
 
 int columns_print(const struct command *command, const struct common *common, struct arena *arena)

@@ -232,6 +232,7 @@ static void offer_value(struct typed_words *typing, const struct option *option)
     bool is_columns = strcmp(option->name, "columns") == 0;
     bool is_position = strcmp(option->name, "position") == 0;
     bool is_file = (option->flags & OPTION_FILE) != 0;
+    const bool is_column = strcmp(option->name, "value") == 0;
     if (option->kind->is_list || is_columns || is_position) {
         /* In a list only what follows the last comma. */
         struct text typed = typing->typed;
@@ -257,7 +258,7 @@ static void offer_value(struct typed_words *typing, const struct option *option)
         }
         is_file = is_file || (is_this && sources[i].or_file);
     }
-    if (is_columns) {
+    if (is_columns || is_column) {
         size_t count;
         const struct column_row *rows =
             columns_describe(typing->command, &count, typing->run->arena);

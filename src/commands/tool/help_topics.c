@@ -49,6 +49,8 @@ const struct topic_text help_topics[] = {
      "one it has the unit that COMMAND --help shows. The decimal point is '.'; inf is infinity "
      "where that makes sense. Also read: f/2.8 f2.8 T2.2, 1/125, ISO400, EV12, 3stops, "
      "180deg@24fps, 1:2 and 0.5x, formats and cameras by name (--sensor \"Nikon D1\"), 36x24mm. "
+     "What shows by its unit or prefix what it is needs no option: dof 50mm f/2.8 3m; of two "
+     "lengths the first is the focal length. "
      "All units: lenscalc help units.",
      NULL},
     {"units", "what a value may be measured in",
@@ -71,7 +73,8 @@ const struct topic_text help_topics[] = {
      NULL},
     {"output", "formats, columns, digits and files",
      "--format chooses one of those below, text if it is not given; --csv and so on for short. "
-     "--columns near_ft,far_m chooses, orders and converts; --digits N cuts. Machine formats "
+     "--columns near_ft,far_m chooses, orders and converts; --digits N cuts; --value near_m prints "
+     "the bare number for a script. Machine formats "
      "print the fewest digits that read back as the same number. Infinity is inf, in JSON null "
      "beside \"..._is_infinite\":true; an absent value is empty, in JSON null. -o FILE appears "
      "only when it is complete. --explain adds formulas and sources.",
