@@ -2,7 +2,7 @@
 lenscalc help | head -n 4
 lenscalc help dof | head -n 3
 lenscalc dof --help > one
-lenscalc dof -h > two
+lenscalc help dof > two
 lenscalc help dof > three
 cmp one two && cmp one three && echo same
 lenscalc --version | sed 's/[0-9][0-9.]*/N/'

@@ -361,6 +361,14 @@ def try_stop_size(asked):
     return result.returncode == 2 and b"lens, paraxial, real" in result.stderr
 
 
+def try_usage(asked):
+    """Examples and its own options, a line each: all that --help shows, and no more."""
+    brief, whole = (asked.run(word).stdout.decode() for word in ("-h", "--help"))
+    own, name = whole.partition("\nCommon options:\n")[0], r"^ {2}(?:-\w, |    )(--[a-z-]+)"
+    return re.findall(name, brief, re.M) == re.findall(name, own, re.M) and all(
+        len(line) <= 80 for line in brief.split("\n") if not line.startswith("  lenscalc"))
+
+
 def try_help(asked):
     return b"Examples:" in asked.run("--help").stdout
 
@@ -377,7 +385,8 @@ TRIES = {
     "--explain": try_explain, "--nominal": try_short("nominal"), "--batch": try_batch,
     "--batch-format": try_batch_format, "--fail-fast": try_fail_fast, "--force": try_force,
     "--output": try_output, "--lensdb": try_lensdb, "--agf": try_agf, "--lossy": try_lossy,
-    "--glass-numbers": try_glass_numbers, "--stop-size": try_stop_size, "--color": try_color, "--help": try_help,
+    "--glass-numbers": try_glass_numbers, "--stop-size": try_stop_size, "--color": try_color,
+    "--help": try_help, "--usage": try_usage,
 }
 TRIES.update({f"--{name}": try_short(name) for name in ("csv", "tsv", "json", "jsonl")})
 

@@ -577,12 +577,28 @@ def check_broken_off(checks, program):
                          f"{name} csv: {answers['csv'].stdout}")
 
 
+def check_pager(checks, program):
+    """Help on a terminal goes through the pager, which may be none, missing or left early."""
+    whole = program.run("dof", "--help").stdout.decode()
+    number = {"TERM": "xterm", "LENSCALC_PAGER": "sed s/^/:/"}
+    cases = ((["dof", "--help"], number, "".join(f":{line}\n" for line in whole.split("\n")[:-1])),
+             (["help", "dof"], {**number, "LENSCALC_PAGER": "head -n 1"}, whole.split("\n")[0] + "\n"),
+             (["dof", "--help"], {"TERM": "xterm", "LENSCALC_PAGER": "", "PAGER": "sed d"}, whole),
+             (["dof", "--help"], {"TERM": "xterm", "PAGER": "cat"}, whole),
+             (["dof", "--help"], {"TERM": "xterm", "PAGER": "no-such-pager 2>/dev/null"}, whole),
+             (["dof", "--help"], {**number, "TERM": "dumb"}, whole),
+             (["dof", "-h"], number, program.run("dof", "-h").stdout.decode()))
+    for words, variables, expected in cases:
+        shown, _, status = on_terminal(program, words, 80, **variables)
+        checks.check(status == 0 and shown == expected, f"pager {words} {variables}: {shown[:200]!r}")
+
+
 def main():
     # jobs in the background of a shell ignore Ctrl-C, and what they start does too
     signal.signal(signal.SIGINT, signal.default_int_handler)
     program = Program(sys.argv[1])
     checks = Checks()
-    on_terminals = (check_width, check_blocks, check_color, check_progress, check_printed_files)
+    on_terminals = (check_pager, check_width, check_blocks, check_color, check_progress, check_printed_files)
     for check in (check_help, check_escapes, check_interrupted, check_report, check_picture,
                   check_broken_off, *(on_terminals if has_terminals() else ())):
         check(checks, program)

@@ -164,7 +164,7 @@ const struct column_row *columns_describe(const struct command *command, size_t 
 
 bool columns_are_asked(const struct common *common)
 {
-    const char *names = common->value != NULL ? common->value : common->columns;
+    const char *names = common_columns(common);
     return names != NULL && strcmp(names, "?") == 0;
 }
 

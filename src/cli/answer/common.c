@@ -96,8 +96,10 @@ const struct option common_options[] = {
              "the stop its size"},
     {COMMON(color), .name = "color", .value = "WHEN", .flags = OPTION_ASIDE, .words = color_words,
      .fallback = "auto", .help = "colour the heads of tables, warnings and errors"},
-    {COMMON(help), .name = "help", .letter = 'h', .flags = OPTION_ASIDE,
-     .help = "show examples and options"},
+    {COMMON(usage), .name = "usage", .letter = 'h', .flags = OPTION_ASIDE,
+     .help = "show examples and the command's own options, a line each"},
+    {COMMON(help), .name = "help", .flags = OPTION_ASIDE,
+     .help = "show all about examples and options"},
 };
 
 const size_t common_option_count = sizeof common_options / sizeof common_options[0];

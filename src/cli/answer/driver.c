@@ -310,9 +310,6 @@ static bool driver_ask(struct driver *driver, struct error *error)
                      driver->input, error)) {
         return false;
     }
-    if (common->value != NULL && common->columns == NULL) {
-        driver->common.columns = common->value;
-    }
     driver->report.many = command->makes_many != NULL && command->makes_many(driver->input);
     driver->is_batch = common->batch != NULL;
     if (driver->is_batch && !open_batch(driver, error)) {
@@ -337,8 +334,8 @@ static bool driver_ask(struct driver *driver, struct error *error)
         command->takes_blocks(driver->input, &driver->asking)) {
         queue_open(&driver->queue, command, sheet, driver->batch.passed_count, &driver->arena);
     }
-    driver->common.columns =
-        columns_from_options(command, driver->report.sheet, common->columns, ",", &driver->arena);
+    driver->common.columns = columns_from_options(command, driver->report.sheet,
+                                                  common_columns(common), ",", &driver->arena);
     /* before a row is printed: a batch finds out row by row */
     for (size_t i = 0; command->choose_sheet != NULL && i < driver->sweep.total; i++) {
         if (!sweep_recall(&driver->sweep, i, driver->input, error) ||
@@ -523,8 +520,8 @@ static int answer_question(struct driver *driver, char **argv)
 {
     const struct command *command = driver->command;
     struct error missing;
-    if (driver->common.help) {
-        return help_command(command, &driver->arena);
+    if (driver->common.help || driver->common.usage) {
+        return help_command(command, !driver->common.help, &driver->arena);
     }
     if (columns_are_asked(&driver->common)) {
         return columns_print(command, &driver->common, &driver->arena);

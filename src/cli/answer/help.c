@@ -3,6 +3,7 @@
 #include "cli/answer/help.h"
 
 #include "cli/answer/complain.h"
+#include "cli/answer/pager.h"
 #include "cli/question/operands.h"
 
 #include <stdio.h>
@@ -16,16 +17,22 @@ size_t help_width(const struct output *output)
     return output->width >= NARROWEST && output->width < WIDTH ? output->width : WIDTH;
 }
 
-/* "-f, --focal-length LENGTH" padded, then what it is for, its unit, range and default. */
-static void write_option(const struct option *option, struct output *output, struct arena *arena)
+/* "  -f, --focal-length LENGTH" */
+static const char *option_words(const struct option *option, struct arena *arena)
 {
     char letter[8] = "    ";
     if (option->letter != '\0') {
         snprintf(letter, sizeof letter, "-%c, ", option->letter);
     }
     const char *value = option->value != NULL ? option->value : "";
-    const char *name = arena_printf(arena, "  %s--%s%s%s", letter, option->name,
-                                    value[0] != '\0' ? " " : "", value);
+    return arena_printf(arena, "  %s--%s%s%s", letter, option->name, value[0] != '\0' ? " " : "",
+                        value);
+}
+
+/* Its words padded, then what it is for, its unit, range and default. */
+static void write_option(const struct option *option, struct output *output, struct arena *arena)
+{
+    const char *name = option_words(option, arena);
     output_printf(output, "%-*s", NAME_WIDTH, name);
     if (strlen(name) >= NAME_WIDTH) {
         output_printf(output, "\n%*s", NAME_WIDTH, "");
@@ -85,7 +92,8 @@ static void write_example(const char *words, struct output *output)
     output_printf(output, "%s\n", words);
 }
 
-void help_write(const struct command *command, struct output *output, struct arena *arena)
+static void help_write_usage(const struct command *command, struct output *output,
+                             struct arena *arena)
 {
     const char *usage = arena_printf(arena, "lenscalc %s", command->name);
     for (size_t i = 0; i < command->option_count; i++) {
@@ -99,6 +107,65 @@ void help_write(const struct command *command, struct output *output, struct are
                      arena_printf(arena, "%s%s [options]: %s", usage,
                                   operands_usage(command, arena), command->summary),
                      0, 2, help_width(output));
+}
+
+/* What an option is for, in so many characters: no more than its first clause. */
+static void write_clause(const struct option *option, size_t room, struct output *output)
+{
+    const char *const help = option->help;
+    const size_t whole = strcspn(help, ";:");
+    size_t length = whole, clause = 0, word = 0;
+    for (size_t i = 1; i < whole && whole > room && i + sizeof " ..." <= room; i++) {
+        if (help[i] == ' ') {
+            word = i;
+            clause = help[i - 1] == ',' || help[i + 1] == '(' ? i : clause;
+        }
+    }
+    if (whole > room) {
+        length = clause > 0 ? clause : word;
+    }
+    const bool is_cut = whole > room && clause == 0;
+    while (length > 0 && strchr(" ,", help[length - 1]) != NULL) {
+        length--;
+    }
+    output_printf(output, "%.*s%s\n", (int)length, help, is_cut ? " ..." : "");
+}
+
+static void help_write_brief(const struct command *command, struct output *output,
+                             struct arena *arena)
+{
+    help_write_usage(command, output, arena);
+    output_character(output, '\n');
+    for (const struct example *example = command->examples; example->arguments != NULL; example++) {
+        write_example(example->arguments, output);
+    }
+    output_character(output, '\n');
+    for (size_t i = 0; command_option(command, i) != NULL; i++) {
+        const struct option *option = command_option(command, i);
+        const char *name = option_words(option, arena);
+        const size_t at = strlen(name) < NAME_WIDTH ? NAME_WIDTH : strlen(name) + 1;
+        output_printf(output, "%-*s", (int)at, name);
+        write_clause(option, help_width(output) - at, output);
+    }
+    output_character(output, '\n');
+    output_wrapped(output,
+                   arena_printf(arena,
+                                "All about them: lenscalc %s --help. Options of every command, as "
+                                "--csv: lenscalc help options.",
+                                command->name),
+                   help_width(output));
+}
+
+void help_write_common(struct output *output)
+{
+    for (size_t i = 0; i < common_option_count; i++) {
+        write_option(&common_options[i], output, output->arena);
+    }
+}
+
+void help_write(const struct command *command, struct output *output, struct arena *arena)
+{
+    help_write_usage(command, output, arena);
     output_string(output, "\nExamples:\n");
     for (const struct example *example = command->examples; example->arguments != NULL; example++) {
         write_example(example->arguments, output);
@@ -124,15 +191,25 @@ void help_write(const struct command *command, struct output *output, struct are
         help_width(output));
 }
 
-int help_command(const struct command *command, struct arena *arena)
+int help_command(const struct command *command, bool is_brief, struct arena *arena)
 {
-    struct output output;
+    struct output page, output;
     struct error error;
+    output_inside(&page, arena);
+    page.width = terminal_width(STDOUT_FILENO);
+    if (is_brief) {
+        help_write_brief(command, &page, arena);
+    } else {
+        help_write(command, &page, arena);
+    }
+    const struct text text = output_kept(&page);
+    if (!is_brief && pager_show(text)) {
+        return 0;
+    }
     if (!output_open(&output, NULL, arena, &error)) {
         return (int)error.code;
     }
-    output.width = terminal_width(STDOUT_FILENO);
-    help_write(command, &output, arena);
+    output_text(&output, text.start, text.length);
     if (!output_close(&output, true, &error)) {
         error_print(&error, command->name, COLOR_AUTO);
         return (int)error.code;

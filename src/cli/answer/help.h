@@ -5,8 +5,17 @@
 
 #include "cli/question/command.h"
 
-/* Examples, then options with units, defaults and ranges, on standard output. The exit status. */
-int help_command(const struct command *command, struct arena *arena);
+/*
+ * Examples, then options with units, defaults and ranges, on standard output, a terminal's by its
+ * pager.
+ *
+ * Given     is_brief  examples and the command's own options, a line each
+ * Result    the exit status
+ */
+int help_command(const struct command *command, bool is_brief, struct arena *arena);
+
+/* The options that commands have in common, of all commands. */
+void help_write_common(struct output *output);
 
 /* The same into an output. */
 void help_write(const struct command *command, struct output *output, struct arena *arena);

@@ -351,6 +351,29 @@ static bool parse_operand(struct arguments *arguments, struct text word, struct 
     return unexpected(arguments, words, word, error);
 }
 
+/* Values without their options get them; whose option is given as well is refused. */
+static bool arguments_settle(const struct arguments *arguments, const struct words *words,
+                             struct error *error)
+{
+    const size_t count = words->operand_count;
+    const struct option **options = ARENA_ARRAY(words->arena, count + 1, const struct option *);
+    if (!operands_settle(arguments->command, words->operands, count, options, error)) {
+        return false;
+    }
+    for (size_t i = 0; i < count; i++) {
+        struct argument *argument = arguments_find(arguments, text_of(options[i]->name));
+        const struct text word = words->operands[i];
+        if (argument->is_given) {
+            fail(error, ERROR_USAGE, "'%.*s' stands for --%s, which is given as well",
+                 text_shown(word), word.start, options[i]->name);
+            return error_hint(error, "name the option that it belongs to");
+        }
+        argument->is_given = true;
+        argument->text = word;
+    }
+    return true;
+}
+
 /* What --color asks for: known before anything is complained about. */
 static enum color_when color_of(int count, char **all)
 {
@@ -426,7 +449,7 @@ bool arguments_parse(struct arguments *arguments, const struct command *command,
             return false;
         }
     }
-    if (!operands_settle(arguments, words.operands, words.operand_count, error)) {
+    if (!arguments_settle(arguments, &words, error)) {
         return false;
     }
     arguments->given = ARENA_ARRAY(arena, arguments->count, const char *);

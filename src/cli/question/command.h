@@ -171,7 +171,7 @@ const struct command *command_asked(const struct command *command, int count, ch
 
 /* The options of every command, and the struct they fill. */
 struct common {
-    bool explain, csv, tsv, json, jsonl, no_header, nominal, force, fail_fast, lossy, help;
+    bool explain, csv, tsv, json, jsonl, no_header, nominal, force, fail_fast, lossy, usage, help;
     const char *columns, *value, *output, *lensdb, *agf, *batch, *table, *plot;
     int format, batch_format, units, color;
     int glass_numbers; /* enum glass_numbers */
@@ -196,6 +196,12 @@ const char *command_has_no_use(const struct command *command, const struct optio
 
 /* For `makes_many`, of a command whose answers have several rows whatever is asked. */
 bool command_always_many(const void *input);
+
+/* The columns that --columns or --value names; null: neither does. */
+static inline const char *common_columns(const struct common *common)
+{
+    return common->value != NULL ? common->value : common->columns;
+}
 
 struct format;
 

@@ -14,14 +14,25 @@ static const struct {
 };
 enum { OPERAND_OPTIONS = sizeof operand_options / sizeof operand_options[0] };
 
-static const struct option *operand_option(const struct command *command, size_t i)
+static const struct option *operand_named(const struct command *command, const char *name)
 {
     for (size_t k = 0; k < command->option_count; k++) {
-        if (strcmp(command->options[k].name, operand_options[i].option) == 0) {
+        if (strcmp(command->options[k].name, name) == 0) {
             return command->options[k].dimension != NULL ? &command->options[k] : NULL;
         }
     }
     return NULL;
+}
+
+/* Option i, if a command has it and a value of its dimension means it. */
+static const struct option *operand_option(const struct command *command, size_t i)
+{
+    const char *name = operand_options[i].option;
+    /* the plans of time lapses and brackets have times of several kinds, and neither of these */
+    const bool is_unclear = strcmp(name, "time") == 0 &&
+                            operand_named(command, "aperture") == NULL &&
+                            operand_named(command, "distance") == NULL;
+    return is_unclear ? NULL : operand_named(command, name);
 }
 
 static bool command_has_operands(const struct command *command)
@@ -140,25 +151,17 @@ static bool operand_refuse(const struct command *command, struct text word, stru
                 text_shown(word), word.start, names[0], names[1]);
 }
 
-bool operands_settle(const struct arguments *arguments, const struct text *operands, size_t count,
-                     struct error *error)
+bool operands_settle(const struct command *command, const struct text *operands, size_t count,
+                     const struct option **options, struct error *error)
 {
-    const struct command *command = arguments->command;
     bool is_taken[OPERAND_OPTIONS] = {false};
     for (size_t i = 0; i < count; i++) {
         const size_t found = operand_find(command, operands[i], is_taken);
         if (found == OPERAND_OPTIONS) {
             return operand_refuse(command, operands[i], error);
         }
-        struct argument *argument =
-            arguments_find(arguments, text_of(operand_options[found].option));
-        if (argument->is_given) {
-            fail(error, ERROR_USAGE, "'%.*s' stands for --%s, which is given as well",
-                 text_shown(operands[i]), operands[i].start, argument->option->name);
-            return error_hint(error, "name the option that it belongs to");
-        }
-        argument->is_given = is_taken[found] = true;
-        argument->text = operands[i];
+        is_taken[found] = true;
+        options[i] = operand_option(command, found);
     }
     return true;
 }

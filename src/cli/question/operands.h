@@ -3,7 +3,7 @@
 #ifndef LENSCALC_CLI_QUESTION_OPERANDS_H
 #define LENSCALC_CLI_QUESTION_OPERANDS_H
 
-#include "cli/question/arguments.h"
+#include "cli/question/command.h"
 
 /*
  * A value that shows by its notation what it is, as 50mm, f/2.8, 1/125 and iso400 do, of a command
@@ -17,13 +17,13 @@ size_t operands_read(const struct command *command, char *const *words, size_t c
                      struct text *operand, struct arena *arena);
 
 /*
- * Give each its option, once all words are read: of two lengths the first is the focal length, the
- * second the distance.
+ * The option of each: of two lengths the first is the focal length, the second the distance.
  *
- * Errors    ERROR_USAGE: no option is left for one, or its option is given as well
+ * Given     options  receives count of them
+ * Errors    ERROR_USAGE: no option is left for one
  */
-bool operands_settle(const struct arguments *arguments, const struct text *operands, size_t count,
-                     struct error *error);
+bool operands_settle(const struct command *command, const struct text *operands, size_t count,
+                     const struct option **options, struct error *error);
 
 /* " [50mm] [f/2.8] [3m]", for the usage of a command; "" if it takes none. */
 const char *operands_usage(const struct command *command, struct arena *arena);

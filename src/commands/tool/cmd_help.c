@@ -1,6 +1,7 @@
 /* commands/tool/cmd_help.c - lenscalc help: commands and topics. */
 /* SPDX-License-Identifier: MIT */
 #include "cli/answer/help.h"
+#include "cli/answer/pager.h"
 #include "commands/commands.h"
 #include "commands/tool/overview.h"
 #include "report/terminal.h"
@@ -84,10 +85,9 @@ static bool help_unknown(const char *topic, struct error *error)
     return false;
 }
 
-static bool help_explain(const struct artifact_job *job, struct output *output, struct error *error)
+static bool help_write_page(const struct help_input *input, struct output *output,
+                            struct arena *arena, struct error *error)
 {
-    const struct help_input *input = job->inputs[0];
-    output->width = job->path == NULL ? terminal_width(STDOUT_FILENO) : 0;
     if (input->topic == NULL) {
         help_write_overview(output);
         return true;
@@ -105,7 +105,22 @@ static bool help_explain(const struct artifact_job *job, struct output *output, 
     if (command == NULL) {
         return help_unknown(input->topic, error);
     }
-    help_write(command, output, job->run->arena);
+    help_write(command, output, arena);
+    return true;
+}
+
+static bool help_explain(const struct artifact_job *job, struct output *output, struct error *error)
+{
+    struct output page;
+    output_inside(&page, job->run->arena);
+    page.width = job->path == NULL ? terminal_width(STDOUT_FILENO) : 0;
+    if (!help_write_page(job->inputs[0], &page, job->run->arena, error)) {
+        return false;
+    }
+    const struct text text = output_kept(&page);
+    if (job->path != NULL || !pager_show(text)) {
+        output_text(output, text.start, text.length);
+    }
     return true;
 }
 

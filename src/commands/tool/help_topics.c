@@ -79,6 +79,10 @@ const struct topic_text help_topics[] = {
      "beside \"..._is_infinite\":true; an absent value is empty, in JSON null. -o FILE appears "
      "only when it is complete. --explain adds formulas and sources.",
      help_topics_list_formats},
+    {"options", "what all commands, or many, have in common",
+     "COMMAND -h shows examples and the command's own options, a line each, COMMAND --help all "
+     "about them and those of the following that it has a use for.\n",
+     help_write_common},
     {"batch", "rows in, rows out",
      "--batch FILE (- is standard input) reads csv, tsv or jsonl with a header. A column is named "
      "by an option's letter or name or by an output column, and may carry a unit: f_mm, s_m, "
