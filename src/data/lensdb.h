@@ -106,8 +106,8 @@ struct lensdb_sensor {
     struct text aliases;
     struct text class, pitch_from, confidence, source;
     struct text focal, equivalent, fnumber; /* of a fixed lens, mm; of a zoom both ends: "24-70" */
-    struct sensor size;              /* pitch in mm, NaN if unknown */
-    double pixels_wide, pixels_high; /* NaN if unknown */
+    struct sensor size;                     /* pitch in mm, NaN if unknown */
+    double pixels_wide, pixels_high;        /* NaN if unknown */
     enum lensdb_place place;
 };
 

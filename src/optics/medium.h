@@ -37,8 +37,8 @@ struct medium {
     size_t point_count;
     medium_index_function *glass_index; /* of a glass; null = nobody knows it */
     const void *glass;
-    double density; /* of a glass, g/cm^3; 0 = not known */
-    double price;   /* of a glass, of a mass beside that of a usual crown; 0 = not known */
+    double density;      /* of a glass, g/cm^3; 0 = not known */
+    double price;        /* of a glass, of a mass beside that of a usual crown; 0 = not known */
     const char *warning; /* what is doubtful in the data of a glass; null = nothing */
 };
 

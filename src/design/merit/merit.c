@@ -56,7 +56,6 @@ static const struct merit_kind kinds[OPERAND_KINDS] = {
     [OPERAND_EXPRESSION] = {merit_fill_expression, merit_prepare_expression},
 };
 
-
 /* -------- opening -------- */
 
 static bool has_position(const struct merit *merit, size_t position)

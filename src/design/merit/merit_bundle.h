@@ -28,7 +28,7 @@ struct bundle_wish {
     const struct setup_wavelength *wavelengths;
     size_t wavelength_count;
     bool from_entrance, clip, path;
-    double vignetting; /* as in merit_question */
+    double vignetting;                /* as in merit_question */
     const struct pupil_point *points; /* only these, whatever pattern is asked for; or null */
     size_t point_count;
     bool is_apart; /* a block a ray, whose lanes are alike; one that cannot be aimed stops none */

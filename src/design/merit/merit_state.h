@@ -51,7 +51,7 @@ struct merit_question {
     double fnumber;            /* NaN: the lens's own aperture */
     bool from_entrance, clip;
     double vignetting; /* of the radius of the pupil, at the edge of the field; less within */
-    bool is_skew; /* something else than the variables may decentre or tilt surfaces */
+    bool is_skew;      /* something else than the variables may decentre or tilt surfaces */
     enum pattern pattern;
     size_t rays;
     uint64_t seed;
