@@ -13,8 +13,8 @@ static const struct word shows[] = {
     [OPTIMIZE_MERIT] = {"merit", "each goal before and after, with its share"},
     [OPTIMIZE_VARIABLES] = {"variables", "each variable before and after"},
     [OPTIMIZE_SPOTS] = {"spots", "converged spots of each field and wavelength, as spot has them"},
-    [OPTIMIZE_GLASSES] = {"glasses", "each glass that took a model's place, and what it lost"},
-    [OPTIMIZE_PLATES] = {"plates", "each radius that became one of a test plate, and its cost"},
+    [OPTIMIZE_GLASSES] = {"glasses", "each glass that replaced a model glass, and the loss"},
+    [OPTIMIZE_PLATES] = {"plates", "each radius replaced by that of a test plate, and the loss"},
     {NULL, NULL},
 };
 
@@ -28,8 +28,8 @@ static const struct option options[] = {
     LENS_OPTION(struct optimize_input, question),
     {OPTION(struct optimize_input, start), .name = "start", .value = "WORDS",
      .excludes = "lens vary hold field aperture position",
-     .why = "a lens from nothing is described by its own words",
-     .help = "a lens from nothing: elements=5,efl=50mm,fnumber=2,field=22deg; or image=40mm, the "
+     .why = "--start describes the lens itself",
+     .help = "design from scratch: elements=5,efl=50mm,fnumber=2,field=22deg; or image=40mm, the "
              "diameter of the image circle; also object=1m, stop=2 (behind so many elements), "
              "bfl=20mm at least, track=60mm at most"},
     {OPTION(struct optimize_input, vary), .name = "vary", .value = "PARTS",
@@ -39,31 +39,30 @@ static const struct option options[] = {
     {OPTION(struct optimize_input, hold), .name = "hold", .value = "PARTS",
      .help = "variables that are held: R3,t5"},
     {OPTION(struct optimize_input, goals), .name = "goals", .value = "GOALS",
-     .help = "what is wanted: spot, poly, efl=100, 'bfl@F>38:0.02', 'edge 1..11 > 1', mtf@40/mm=1, "
-             "'length + bfl < 60'; "
-             "== for what "
-             "is met exactly; otherwise the goals in the lens, or usual ones"},
+     .help = "goals: spot, poly, efl=100, 'bfl@F>38:0.02', 'edge 1..11 > 1', mtf@40/mm=1, "
+             "'length + bfl < 60'; == for exact constraints; otherwise the goals in the lens, or "
+             "defaults"},
     {OPTION(struct optimize_input, no_goal), .name = "no-goal", .value = "NAMES",
-     .help = "usual goals that are left out: poly, efl, fnumber, bfl, center, edge, air, grazing"},
+     .help = "default goals to leave out: poly, efl, fnumber, bfl, center, edge, air, grazing"},
     {OPTION(struct optimize_input, grade), .name = "grade", .value = "NAME",
-     .help = "of the goal asbuilt, how well it is made: commercial, precision or high ('list "
+     .help = "tolerance grade for the goal asbuilt: commercial, precision or high ('list "
              "tolerances'); without it the marks of the lens, without any precision"},
     {OPTION(struct optimize_input, tolerances), .name = "tolerances", .value = "FILE",
      .flags = OPTION_FILE,
-     .help = "of the goal asbuilt, lines like those with 'tolerance' in a lens, in its place"},
+     .help = "tolerances for the goal asbuilt, lines as in a lens, replacing those in the lens"},
     {OPTION(struct optimize_input, glasses), .name = "glasses", .value = "GLASSES",
-     .help = "catalogues and glasses that take the place of the model glasses that vary: "
+     .help = "catalogues and glasses that replace the variable model glasses: "
              "SCHOTT,OHARA or N-BK7,N-SF5"},
     {OPTION(struct optimize_input, plates), .name = "test-plates", .value = "FILE",
      .flags = OPTION_FILE,
-     .help = "a maker's list of test plates, columns radius_mm and diameter_mm: their radii take "
-             "the places of those that vary"},
+     .help = "a maker's list of test plates, columns radius_mm and diameter_mm: their radii "
+             "replace the variable ones"},
     DESIGN_VIEW_OPTIONS(struct optimize_input, "the positions that are optimised together"),
     {OPTION(struct optimize_input, aim), .name = "aim", .words = analysis_aims, .fallback = "stop",
      .value = "WHERE", .help = "pupil that the ray points lie in"},
     DESIGN_RAYS_OPTIONS(struct optimize_input,
                         .help = "approximate number of rays per field and wavelength; default 36, "
-                                "and more where more see otherwise"),
+                                "and more if these prove too few"),
     {OPTION(struct optimize_input, seed), .name = "seed", .lowest = 0, .highest = 1e9,
      .fallback = "0", .value = "NUMBER", .wants = "global|start|pattern=sobol",
      .help = "seed of the starts of --global and of the sobol pattern"},
@@ -96,12 +95,13 @@ static const struct option options[] = {
      .help = "escapes from each minimum that are tried per start"},
     {OPTION(struct optimize_input, relocate), .name = "relocate", .lowest = 0, .highest = 1000,
      .fallback = "0", .value = "COUNT", .wants = "global|start", .excludes = "part",
-     .help = "after the starts, from so many of the best lenses: each element is taken out and put "
-             "in elsewhere without power, a saddle point that both sides are followed from"},
+     .help = "also relocate each element of so many of the best lenses as a null element, and "
+             "descend to both sides of the saddle point"},
     {OPTION(struct optimize_input, spread), .name = "spread", .dimension = &dimension_number,
      .lowest = 0, .highest = 1000, .fallback = "1", .flags = OPTION_ABOVE_LOWEST, .value = "NUMBER",
      .wants = "global|start",
-     .help = "where starts lie of what has no two bounds: so many natural scales about the lens"},
+     .help =
+         "range of the starts of variables without two bounds, in natural scales about the lens"},
     {OPTION(struct optimize_input, part), .name = "part", .value = "I/N", .flags = OPTION_ASIDE,
      .wants = "global|start", .excludes = "seconds",
      .help = "only part I of N of the starts, into a .part for 'lenscalc merge'"},
@@ -207,7 +207,7 @@ static const struct example examples[] = {
     {"optimize cooke-triplet-50 --vary all-R,t2,t4 --goals poly,efl=50 --rays 12 --global 4",
      "the best of what four starts lead to"},
     {"optimize --start elements=2,efl=100mm,fnumber=8,field=2deg --global 4 --rays 12",
-     "lenses of two elements, from nothing"},
+     "two-element lenses, from scratch"},
     {"optimize double-gauss --vary all-R,glass1,glass10 --goals poly,efl=100 --glasses SCHOTT "
      "--show glasses",
      "the first and the last glass become real ones"},

@@ -61,8 +61,8 @@ extern const struct word section_words[];
 #define LENS_DIAMETERS_OPTION                                                                      \
     .dimension = &dimension_ratio, .unit = "%", .name = "set-diameters", .lowest = 0,              \
     .highest = 1, .bare = "2", .value = "[MARGIN]",                                                \
-    .help = "diameters that let the beams of all fields, wavelengths and positions pass, and so "  \
-            "much more; 2 % where no number follows"
+    .help = "set diameters to those of the beams of all fields, wavelengths and positions and "    \
+            "this margin; default 2 %"
 
 #define LENS_FNUMBER_OPTION(S, member)                                                             \
     ENTRY(OPTION(S, member.fnumber), .name = "aperture", .quantity = "f-number", .letter = 'N',    \
