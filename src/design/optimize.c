@@ -239,7 +239,8 @@ static bool optimize_run_any(const struct optimize_task *task, struct arena *are
 
 /* -------- around where rays cannot be aimed -------- */
 
-/* Did that keep it from a minimum? So many of a descent's steps come to nothing by it. */
+/* Did that keep it from a minimum? So many of a descent's steps come to nothing by it. A descent
+   that was asked to end after so many iterations has done what it was asked. */
 static bool is_hindered(const struct optimize_task *task, const struct optimize_answer *answer,
                         bool found)
 {
@@ -247,8 +248,9 @@ static bool is_hindered(const struct optimize_task *task, const struct optimize_
     const struct merit *merit = task->merit;
     const double count = (double)merit->limit->count;
     const bool is_kept =
-        found ? answer->limit.is_of_aim || (answer->summary.status == SOLVER_LIMIT &&
-                                            count > many * (double)answer->summary.evaluations)
+        found ? answer->limit.is_of_aim ||
+                    (answer->summary.status == SOLVER_LIMIT && task->iterations == 0 &&
+                     count > many * (double)answer->summary.evaluations)
               : count > 0;
     return is_kept && !merit->question.from_entrance &&
            (task->goes_on == NULL || task->goes_on(task->context));
