@@ -207,7 +207,8 @@ bool optimize_descend(const struct optimize_descent *descent, double *numbers,
             return false;
         }
         if ((summary->status != SOLVER_CONVERGED && summary->status != SOLVER_STUCK) ||
-            descent->merit->exact_count > 0 || summary->iterations >= descent->options.iterations) {
+            descent->merit->exact_count > 0 || descent->problem->parameter_count == 0 ||
+            summary->iterations >= descent->options.iterations) {
             return true;
         }
         descent_end_look(&end, summary);

@@ -66,3 +66,5 @@ printf 'name\tformula\tcoefficients\tstatus\nLOST\tconstant\t1.5\tobsolete\n' > 
 refuse plates.lens --glasses EMPTY --lensdb own
 # no time for the glasses
 refuse follows.lens --vary R1,R3,glass1,glass3 --goals efl=100,axial --glasses N-BK7 --seconds 1e-6
+# glasses alone vary: once they are real nothing is left to vary
+lenscalc optimize double-gauss --vary glass1,glass10 --goals poly --glasses N-SK2,N-LAK9,N-LAF34 --rays 12 --show glasses --columns surface,glass --csv

@@ -237,9 +237,41 @@ static void test_no_derivatives(void)
     arena_free(&arena);
 }
 
+/* 3, met on its side, and a condition that is off by 2. */
+static bool three_residuals(void *context, const double *x, double *residuals, double *jacobian)
+{
+    (void)context;
+    (void)x;
+    (void)jacobian;
+    residuals[0] = 3;
+    residuals[1] = -1;
+    residuals[2] = -2;
+    return true;
+}
+
+/* Where nothing is left to vary a lean answer says how good it is; another is refused. */
+static void test_no_parameters(void)
+{
+    static const enum solver_side sides[] = {SIDE_BOTH, SIDE_ABOVE, SIDE_BOTH};
+    const struct solver_problem problem = {
+        .residual_count = 3, .exact_count = 1, .evaluate = three_residuals, .sides = sides};
+    struct solver_options options = {.engine = SOLVER_DLS, .lean = true};
+    struct arena arena = {0};
+    struct solver_summary summary;
+    struct error error;
+    double none[1] = {0};
+    CHECK(solver_run(&problem, &options, none, &arena, &summary, &error));
+    CHECK(summary.status == SOLVER_CONVERGED && summary.iterations == 0);
+    CHECK(summary.final_cost == 4.5 && summary.excess == 2);
+    options.lean = false;
+    CHECK(!solver_run(&problem, &options, none, &arena, &summary, &error));
+    arena_free(&arena);
+}
+
 int main(void)
 {
     test_normal();
+    test_no_parameters();
     test_no_derivatives();
     test_sided_step();
     test_one_degree();

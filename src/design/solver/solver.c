@@ -63,14 +63,14 @@ static bool solver_check(const struct solver_problem *problem, const struct solv
         return fail(error, ERROR_DOMAIN,
                     "Ceres meets no condition exactly: damped least squares do");
     }
-    if (n == 0 || m == 0) {
+    if ((n == 0 && !options->lean) || m == 0) {
         return fail(error, ERROR_DOMAIN, "there is nothing to fit: %zu parameters, %zu residuals",
                     n, m);
     }
     if (m < n && !options->lean) {
         return fail(error, ERROR_DOMAIN, "%zu residuals do not fix %zu parameters", m, n);
     }
-    if (n > SOLVER_COLUMNS || m > 100000000 / n) {
+    if (n > SOLVER_COLUMNS || n * m > 100000000) {
         return fail(error, ERROR_DOMAIN, "%zu residuals of %zu parameters are too many", m, n);
     }
     for (size_t i = 0; i < n; i++) {
@@ -467,7 +467,12 @@ bool solver_run(const struct solver_problem *problem, const struct solver_option
         return fail(error, ERROR_DOMAIN,
                     "the fit cannot begin: not all residuals and derivatives are numbers there");
     }
-    run_rounds(&solving, parameters, summary);
+    if (n > 0) {
+        run_rounds(&solving, parameters, summary);
+    } else {
+        summary->status = SOLVER_CONVERGED;
+        summary->evaluations = 1;
+    }
     if (!all.lean && summary->status == SOLVER_CONVERGED &&
         solving_look(&solving, parameters, &summary->final_cost)) {
         solving_polish(&solving, parameters, summary->final_cost);

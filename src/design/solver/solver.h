@@ -75,7 +75,7 @@ struct solver_options {
     double parameter;     /* relative change of the parameters; usually 1e-13 */
     double initial_trust; /* radius of the first step in parameters scaled by the Jacobian; 1e4 */
     bool lean; /* find the minimum and nothing else: no undamped steps to its last digit, no errors;
-                  there may be fewer residuals than parameters */
+                  there may be fewer residuals than parameters, or no parameter at all */
     double dependent; /* a parameter is not determined where the others leave less of its
                              derivative; usually 1e-11 */
     bool (*progress)(void *context, const struct solver_progress *progress); /* false: stop */
@@ -133,7 +133,7 @@ bool solver_has(enum solver_engine engine);
  * Source    [Levenberg44]; [Transtrum11] (bent steps); [Spencer63] (exact conditions);
  *           [Dilworth78] (second derivatives); [Nielsen99] 2.2 (damping); [Ceres22];
  *           [Nocedal06] 10.3, 16.5 (active sets)
- * Errors    ERROR_DOMAIN: fewer residuals than parameters, bounds that contradict each other, a
+ * Errors    ERROR_DOMAIN: fewer residuals than parameters, no parameter (where not lean), bounds that contradict each other, a
  *           start outside of them or without finite residuals and derivatives, a loss without
  *           scale, sides and losses at once; Ceres where it is not part of the program, or asked
  *           for exact residuals
