@@ -133,10 +133,10 @@ bool solver_has(enum solver_engine engine);
  * Source    [Levenberg44]; [Transtrum11] (bent steps); [Spencer63] (exact conditions);
  *           [Dilworth78] (second derivatives); [Nielsen99] 2.2 (damping); [Ceres22];
  *           [Nocedal06] 10.3, 16.5 (active sets)
- * Errors    ERROR_DOMAIN: fewer residuals than parameters, no parameter (where not lean), bounds that contradict each other, a
- *           start outside of them or without finite residuals and derivatives, a loss without
- *           scale, sides and losses at once; Ceres where it is not part of the program, or asked
- *           for exact residuals
+ * Errors    ERROR_DOMAIN: fewer residuals than parameters, no parameter (but for lean), bounds that
+ *           contradict each other, a start outside of them or without finite residuals and
+ *           derivatives, a loss without scale, sides and losses at once; Ceres where it is not part
+ *           of the program, or asked for exact residuals
  * Limits    a local minimum. No random numbers, no clock, one thread: the same every time
  */
 bool solver_run(const struct solver_problem *problem, const struct solver_options *options,
