@@ -36,8 +36,8 @@ struct easing_share {
     double of[EASING_PARTS];
 };
 
-/* The merit that takes the place of the real one, and the way to that. */
-struct easing {
+/* Continuation from a merit of less of the lens to the real one, and how far it is. */
+struct continuation {
     const struct optimize_task *task;
     struct arena *arena;
     double *numbers;   /* where it is */
@@ -71,7 +71,7 @@ static struct operand *easing_operands(const struct operand *operands, size_t co
 }
 
 /* Some goals of some of the lens. */
-static bool easing_open(struct easing *easing, const struct easing_share *share,
+static bool easing_open(struct continuation *easing, const struct easing_share *share,
                         const struct operand *operands, size_t count, struct error *error)
 {
     const struct merit *merit = easing->task->merit;
@@ -103,14 +103,14 @@ static bool easing_open(struct easing *easing, const struct easing_share *share,
     return true;
 }
 
-static bool easing_has_value(struct easing *easing)
+static bool easing_has_value(struct continuation *easing)
 {
     double *residuals = ARENA_ARRAY(&easing->room, easing->merit.residual_count + 1, double);
     return merit_evaluate(&easing->merit, easing->numbers, residuals, NULL);
 }
 
 /* All goals. Result: they have a value; else nothing has changed but the merit */
-static bool easing_try(struct easing *easing, struct easing_share share, struct error *error)
+static bool easing_try(struct continuation *easing, struct easing_share share, struct error *error)
 {
     const struct merit_question *question = &easing->task->merit->question;
     const bool is_open =
@@ -127,13 +127,13 @@ static bool easing_try(struct easing *easing, struct easing_share share, struct 
     return true;
 }
 
-static bool easing_is_whole(const struct easing *easing)
+static bool easing_is_whole(const struct continuation *easing)
 {
     return easing->share.of[PART_APERTURE] > 0;
 }
 
 /* Goals that have a value by themselves. */
-static bool easing_open_some(struct easing *easing, struct error *error)
+static bool easing_open_some(struct continuation *easing, struct error *error)
 {
     const struct merit_question *question = &easing->task->merit->question;
     struct operand *some = ARENA_ARRAY(easing->arena, question->operand_count, struct operand);
@@ -163,7 +163,7 @@ static bool easing_open_some(struct easing *easing, struct error *error)
 /* -------- as much as goes -------- */
 
 /* The largest share of aperture and field that has a value, and is more than there was. */
-static bool easing_open_most(struct easing *easing, double pupil, struct error *error)
+static bool easing_open_most(struct continuation *easing, double pupil, struct error *error)
 {
     const double had = easing->share.of[PART_APERTURE] + easing->share.of[PART_FIELD];
     for (size_t i = 0; i < sizeof shares / sizeof shares[0]; i++) {
@@ -185,7 +185,7 @@ static bool easing_open_most(struct easing *easing, double pupil, struct error *
 }
 
 /* A step more of the first parts of a share together, or of one of them, as small as need be. */
-static bool easing_step(struct easing *easing, struct easing_share from, int parts)
+static bool easing_step(struct continuation *easing, struct easing_share from, int parts)
 {
     struct easing_share all = from;
     struct error ignored;
@@ -211,7 +211,7 @@ static bool easing_step(struct easing *easing, struct easing_share from, int par
 }
 
 /* More of aperture and field, with vignetting. */
-static bool easing_vignette(struct easing *easing)
+static bool easing_vignette(struct continuation *easing)
 {
     struct easing_share from = easing->share;
     struct error ignored;
@@ -239,7 +239,7 @@ static enum easing_freedom easing_freedom_of(struct parameter what)
 }
 
 /* Hold what is not free. Result: how many are held */
-static size_t easing_hold(struct easing *easing)
+static size_t easing_hold(struct continuation *easing)
 {
     const struct variables *variables = easing->task->merit->question.variables;
     size_t count = 0;
@@ -251,7 +251,7 @@ static size_t easing_hold(struct easing *easing)
 }
 
 /* Let more of them vary. */
-static bool easing_free(struct easing *easing)
+static bool easing_free(struct continuation *easing)
 {
     const size_t held = easing_hold(easing);
     for (size_t left = held; left == held && left > 0;) {
@@ -265,7 +265,7 @@ static bool easing_free(struct easing *easing)
 static bool easing_measure(void *context, const double *numbers, double *residuals,
                            double *jacobian)
 {
-    struct easing *easing = context;
+    struct continuation *easing = context;
     const size_t columns = easing->merit.variable_count;
     const bool has_value = merit_measure(&easing->merit, numbers, residuals, jacobian);
     for (size_t i = 0; i < easing->merit.residual_count && has_value && jacobian != NULL; i++) {
@@ -295,7 +295,7 @@ struct solver_problem optimize_problem(struct merit *merit)
 /* Until the real merit has a value. */
 static bool easing_goes_on(void *context, const struct solver_progress *progress)
 {
-    struct easing *easing = context;
+    struct continuation *easing = context;
     const struct optimize_task *task = easing->task;
     if (merit_evaluate(task->merit, progress->parameters, easing->residuals, NULL)) {
         memcpy(easing->numbers, progress->parameters, task->merit->variable_count * sizeof(double));
@@ -306,7 +306,7 @@ static bool easing_goes_on(void *context, const struct solver_progress *progress
     return !easing->is_stopped;
 }
 
-static bool easing_descend(struct easing *easing, struct error *error)
+static bool easing_descend(struct continuation *easing, struct error *error)
 {
     struct merit *merit = &easing->merit;
     const struct solver_options options = {.iterations = ITERATIONS,
@@ -331,7 +331,7 @@ static bool easing_descend(struct easing *easing, struct error *error)
 
 /* What is judged next: more than before, or the same with more that varies. Result: false: nothing
    is left */
-static bool easing_go_on(struct easing *easing)
+static bool easing_go_on(struct continuation *easing)
 {
     const bool is_whole = easing_is_whole(easing);
     struct error ignored;
@@ -343,7 +343,7 @@ static bool easing_go_on(struct easing *easing)
 }
 
 /* With what it is begun. */
-static const char *easing_words(const struct easing *easing)
+static const char *easing_words(const struct continuation *easing)
 {
     if (!easing_is_whole(easing)) {
         return "not all goals have a value at the start: it was begun with those that have one";
@@ -359,7 +359,8 @@ static const char *easing_words(const struct easing *easing)
 }
 
 /* Why the lens cannot be judged: no goal has a value, or not enough of them have. */
-static bool fail_partial(const struct easing *easing, const struct error *why, struct error *error)
+static bool fail_partial(const struct continuation *easing, const struct error *why,
+                         struct error *error)
 {
     if (merit_lacks_power(easing->task->merit)) {
         fail(error, ERROR_DOMAIN,
@@ -376,7 +377,7 @@ static bool fail_partial(const struct easing *easing, const struct error *why, s
  * Given     why  the lens cannot be judged
  * Errors    a goal that cannot be had of less of the lens; that
  */
-static bool easing_begin(struct easing *easing, const struct error *why, struct error *error)
+static bool easing_begin(struct continuation *easing, const struct error *why, struct error *error)
 {
     if (easing_open_most(easing, 1, error)) {
         return true;
@@ -405,7 +406,8 @@ static bool easing_reset_aspheres(const struct variables *variables, double *num
 }
 
 /* Why it cannot be judged, though it was begun. */
-static bool fail_easing(const struct easing *easing, const struct error *why, struct error *error)
+static bool fail_easing(const struct continuation *easing, const struct error *why,
+                        struct error *error)
 {
     *error = *why;
     if (easing->is_stopped) {
@@ -422,7 +424,7 @@ static bool fail_easing(const struct easing *easing, const struct error *why, st
 }
 
 /* From stage to stage, until the real merit has a value. */
-static bool easing_run(struct easing *easing, const struct error *why, const char **words,
+static bool easing_run(struct continuation *easing, const struct error *why, const char **words,
                        struct error *error)
 {
     if (!easing_begin(easing, why, error)) {
@@ -448,12 +450,13 @@ bool optimize_begin(const struct optimize_task *task, double *numbers, struct ar
 {
     struct merit *merit = task->merit;
     const struct variables *variables = merit->question.variables;
-    struct easing easing = {.task = task,
-                            .arena = arena,
-                            .numbers = numbers,
-                            .step = first_step,
-                            .is_held = ARENA_ARRAY(arena, merit->variable_count + 1, bool),
-                            .residuals = ARENA_ARRAY(arena, merit->residual_count + 1, double)};
+    struct continuation easing = {.task = task,
+                                  .arena = arena,
+                                  .numbers = numbers,
+                                  .step = first_step,
+                                  .is_held = ARENA_ARRAY(arena, merit->variable_count + 1, bool),
+                                  .residuals =
+                                      ARENA_ARRAY(arena, merit->residual_count + 1, double)};
     struct error why;
     *words = NULL;
     if (merit_evaluate(merit, numbers, easing.residuals, NULL)) {
