@@ -3,6 +3,7 @@
 #ifndef LENSCALC_COMMANDS_DESIGN_OPTIMIZE_JOB_H
 #define LENSCALC_COMMANDS_DESIGN_OPTIMIZE_JOB_H
 
+#include "analysis/rays/clear_diameters.h"
 #include "cli/options/goals.h"
 #include "commands/design/design.h"
 #include "design/closer_look.h"
@@ -149,6 +150,9 @@ void optimize_warn(struct optimize_job *job, const char *format, ...)
 bool optimize_open_setup(const struct optimize_job *job, const struct lens *lens, size_t place,
                          const struct setup_wavelength *lights, size_t light_count,
                          bool takes_telecentric, struct setup *setup, struct error *error);
+
+/* Diameters that beams of the merit need in the lens that was found, with a margin, a share. */
+struct clear_diameters_question optimize_beams(const struct optimize_job *job, double margin);
 
 /* How far a figure is on the wrong side of what is wanted; of '=' how far away. */
 double optimize_wrong_by(const struct operand *operand, double value);

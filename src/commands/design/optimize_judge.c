@@ -3,7 +3,6 @@
 #include "commands/design/optimize_job.h"
 
 #include "analysis/image/mtf.h"
-#include "analysis/rays/clear_diameters.h"
 #include "base/constants.h"
 #include "cli/options/goals.h"
 #include "cli/options/vary.h"
@@ -431,18 +430,23 @@ static void judge_plates(struct optimize_job *job)
     }
 }
 
+struct clear_diameters_question optimize_beams(const struct optimize_job *job, double margin)
+{
+    const struct merit_question *question = &job->merit.question;
+    return (struct clear_diameters_question){.lens = job->found,
+                                             .fnumber = question->fnumber,
+                                             .fields = question->fields,
+                                             .field_count = question->field_count,
+                                             .wavelengths = question->wavelengths,
+                                             .wavelength_count = question->wavelength_count,
+                                             .margin = margin};
+}
+
 /* Diameters of the lens that was found, where they are wanted; one that cannot have them is kept as
    it is, but is not what was asked for. */
 static void set_diameters(struct optimize_job *job)
 {
-    const struct merit_question *question = &job->merit.question;
-    const struct clear_diameters_question asked = {.lens = job->found,
-                                                   .fnumber = question->fnumber,
-                                                   .fields = question->fields,
-                                                   .field_count = question->field_count,
-                                                   .wavelengths = question->wavelengths,
-                                                   .wavelength_count = question->wavelength_count,
-                                                   .margin = job->input->margin};
+    const struct clear_diameters_question asked = optimize_beams(job, job->input->margin);
     const char *notes;
     struct error why;
     if (isnan(job->input->margin)) {

@@ -2,7 +2,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "commands/design/optimize_job.h"
 
-#include "analysis/rays/clear_diameters.h"
 #include "data/tsv.h"
 #include "data/whole_file.h"
 
@@ -87,14 +86,7 @@ bool optimize_plates_open(struct optimize_job *job, struct error *error)
 /* Of every surface what its plate has to cover, as stated or else as the beam, and 2 % more. */
 static bool find_sizes(struct optimize_job *job, double *diameters, struct error *error)
 {
-    const struct merit_question *question = &job->merit.question;
-    const struct clear_diameters_question asked = {.lens = job->found,
-                                                   .fnumber = question->fnumber,
-                                                   .fields = question->fields,
-                                                   .field_count = question->field_count,
-                                                   .wavelengths = question->wavelengths,
-                                                   .wavelength_count = question->wavelength_count,
-                                                   .margin = 0.02};
+    const struct clear_diameters_question asked = optimize_beams(job, 0.02);
     const struct lens *sized = job->found;
     bool are_stated = true;
     const char *notes;
