@@ -143,6 +143,17 @@ static bool fail_unknown(struct lensdb *db, struct text name, struct arena *aren
     return error_hint(error, "see 'lenscalc list lenses'");
 }
 
+/* A name that ends as files of lenses do is no misspelt name of lensdb. */
+static bool ends_as_file(struct text name)
+{
+    for (size_t i = 0; lens_types(i) != NULL; i++) {
+        if (file_type_ends(name, lens_types(i)->ending)) {
+            return true;
+        }
+    }
+    return false;
+}
+
 bool lens_open_text(struct lensdb *db, struct text name, struct arena *arena, const char **source,
                     struct text *content, struct error *error)
 {
@@ -170,8 +181,9 @@ bool lens_open_text(struct lensdb *db, struct text name, struct arena *arena, co
     if (error->code != ERROR_NONE) {
         return false;
     }
-    return is_file ? fail(error, ERROR_IO, "cannot read %s: %s", path, strerror(ENOENT))
-                   : fail_unknown(db, name, arena, error);
+    return is_file || ends_as_file(name)
+               ? fail(error, ERROR_IO, "cannot read %s: %s", path, strerror(ENOENT))
+               : fail_unknown(db, name, arena, error);
 }
 
 const char *lens_open_path(struct lensdb *db, struct text name, struct arena *arena)
