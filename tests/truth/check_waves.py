@@ -275,11 +275,29 @@ def check_truth(checks, program):
     checks.check(met >= 60, f"only {met} wave fronts are as smooth as 66 terms")
 
 
+def check_missed(checks, program):
+    """A parabola images a star perfectly at F. From a reference point D before F a ray at the angle
+    t passes D sin t, and misses a sphere of radius R where that is more."""
+    sphere, before = 0.01, 0.05
+    stop = sphere + before
+    for radius, share in ((0.03, 1 - (stop * math.tan(math.asin(sphere / before)) / 0.03) ** 2),
+                          (0.012, 0)):
+        lens = ("lens Parabola\naperture stop\nfield angle 0\nfocus table\nwavelength d\n"
+                f"surface -200 {stop - 100} mirror 200 k=-1\nstop - {-sphere} air {2 * radius}\n")
+        for more in ([], ["--zernike", "noll", "--terms", "1"]):
+            words = ["wavefront", "-", "--columns", "field_deg,warning"] + more
+            warning = rows(program, words, lens)[0]["warning"]
+            said = re.search(r"([0-9.]+) % of the light misses the reference sphere", warning)
+            near(checks, f"{words}, {radius}: share of the light", said.group(1) if said else 0,
+                 100 * share, 4 if more else 0.06)
+
+
 def main():
     program, checks = Program(sys.argv[1]), Checks()
     with tempfile.TemporaryDirectory() as folder:
         check_perfect(checks, program, folder)
         check_afocal(checks, program, folder)
+        check_missed(checks, program)
         check_terms(checks, program, folder)
         check_methods(checks, program, folder)
         check_truth(checks, program)

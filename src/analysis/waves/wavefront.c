@@ -31,7 +31,7 @@ bool wavefront_open(const struct wavefront_question *question, struct arena *are
            fail(error, ERROR_DOMAIN, "%s", source->reference.no_opd);
 }
 
-/* W of a ray that arrives, wavelengths; NaN: it is lost. */
+/* W of a ray that arrives, wavelengths; NaN: it is lost, or misses the reference sphere. */
 static double wave_of(const struct wavefront_source *source, const struct rays *rays, size_t i)
 {
     const struct ray ray = rays_get(rays, i, source->lights.list[0].system->index_last);
@@ -46,6 +46,7 @@ struct wavefront_values {
     const struct pupil_point *points;
     size_t count, arms, rings; /* as a bundle has them */
     double clear;
+    double missed; /* share of the light that arrives and misses the reference sphere */
 };
 
 static bool wavefront_find_values(const struct wavefront_source *source, size_t rays,
@@ -63,9 +64,15 @@ static bool wavefront_find_values(const struct wavefront_source *source, size_t 
                                         .arms = bundle.arms,
                                         .rings = bundle.rings,
                                         .clear = bundle.clear};
+    double arrived = 0, missed = 0;
     for (size_t i = 0; i < bundle.count; i++) {
         values->waves[i] = wave_of(source, &bundle.rays, i);
+        if (ray_block_status(bundle.rays.blocks, i) == RAY_OK) {
+            arrived += bundle.points[i].weight;
+            missed += isnan(values->waves[i]) ? bundle.points[i].weight : 0;
+        }
     }
+    values->missed = missed > 0 ? missed / arrived : 0;
     return true;
 }
 
@@ -155,6 +162,7 @@ static void wavefront_sum_up(const struct wavefront_values *values, struct wavef
     const double turn = 2 * PI * wavefront->rms;
     wavefront->marechal = exp(-turn * turn);
     wavefront->clear = values->clear;
+    wavefront->missed = values->missed;
     wavefront->rays = values->count;
 }
 
@@ -386,7 +394,7 @@ bool wavefront_fit(const struct wavefront_source *source, enum zernike_kind kind
     for (size_t i = 0; i < terms; i++) {
         x[i] = fabs(x[i]) < least ? 0 : x[i]; /* what symmetry makes 0 but for rounding */
     }
-    *fit = (struct wavefront_fit){x, sqrt(left), rows};
+    *fit = (struct wavefront_fit){x, sqrt(left), values.missed, rows};
     return true;
 }
 

@@ -26,6 +26,7 @@ struct wavefront {
     double marechal; /* exp(-(2 pi rms)^2) */
     double error, strehl_error;
     double clear;  /* share of the pupil's area */
+    double missed; /* share of the light that misses the reference sphere: no part of the rest */
     double radius; /* of the reference sphere, mm; infinite: a plane */
     size_t rays;
     struct pupil_islands islands;
@@ -68,6 +69,7 @@ bool wavefront_find(const struct wavefront_source *source, bool wants_pv, struct
 struct wavefront_fit {
     const double *coefficients; /* one a term */
     double residual;            /* rms that they leave, wavelengths */
+    double missed;              /* as struct wavefront's */
     size_t rays;
 };
 

@@ -183,6 +183,19 @@ static bool wavefront_emit_coefficients(const struct analysis_cursor *at,
     return true;
 }
 
+/* Light that arrives but has no place on the reference sphere takes no part in the figures. */
+static void wavefront_warn_missed(const struct analysis_cursor *at, struct analysis_point *point,
+                                  double missed)
+{
+    if (missed > 0) {
+        struct arena *arena = at->run->arena;
+        analysis_warn(at, point,
+                      ARENA_JOIN(arena, analysis_number(100 * missed, arena),
+                                 " % of the light misses the reference sphere: the figures are "
+                                 "those of the rest"));
+    }
+}
+
 static bool wavefront_run(const void *data, struct run *run, struct error *error)
 {
     const struct wavefront_input *input = data;
@@ -198,6 +211,11 @@ static bool wavefront_run(const void *data, struct run *run, struct error *error
             row.reference =
                 wave_reference_words(at.one, (enum wave_about)input->reference, run->arena);
             row.radius = sphere->is_plane ? INFINITY : sphere->radius;
+        }
+        if (at.lost == NULL) {
+            const bool is_whole = input->zernike == NO_ZERNIKE;
+            wavefront_warn_missed(&at, &row.point,
+                                  is_whole ? found->figures.missed : found->fit.missed);
         }
         if (at.lost == NULL && input->zernike == NO_ZERNIKE) {
             const struct wavefront *figures = &found->figures;
