@@ -1,0 +1,304 @@
+/* commands/photo/fov_answer.c - answers of lenscalc fov. */
+/* SPDX-License-Identifier: MIT */
+#include "analysis/rays/angle_of_view.h"
+#include "commands/lens/focus_gaps.h"
+#include "commands/photo/fov_question.h"
+
+#include <math.h>
+
+const struct word fov_ways[] = {
+    [VIEW_AUTO] = {"auto", "chief-rays with --lens, unless --pupil is given; else rectilinear"},
+    [VIEW_RAYS] = {"chief-rays", "the exact chief rays of --lens"},
+    {"rectilinear", "f tan t: straight lines stay straight"},
+    {"equidistant", "f t: image height in proportion to the angle"},
+    {"equisolid", "2 f sin(t/2): image area in proportion to the solid angle"},
+    {"stereographic", "2 f tan(t/2): small shapes stay true"},
+    {"orthographic", "f sin t: at most a half sphere"},
+    {NULL, NULL},
+};
+
+static void fov_warn(struct fov_row *row, const char *warning, struct arena *arena)
+{
+    row->real.warning = lens_warnings_join(row->real.warning, warning, arena);
+}
+
+/* Angles by the lens's own rays? Not where the user puts another pupil in place of its own. */
+static bool wants_rays(const struct fov_input *input, const struct photo_lens *lens)
+{
+    return input->projection == VIEW_RAYS ||
+           (input->projection == VIEW_AUTO && lens->lens != NULL && isnan(input->lens.pupil));
+}
+
+/* What the exact chief rays of the real lens make of it, the film so far behind H'. */
+static bool trace_view(const struct fov_input *input, const struct photo_lens *lens,
+                       double distance, double image, struct arena *arena, struct view *view,
+                       struct error *error)
+{
+    const struct setup_question asked = {.lens = lens->lens,
+                                         .position = lens->position,
+                                         .wavelength = wavelength_micrometres(lens->wavelength),
+                                         .fnumber = NAN};
+    struct setup setup;
+    const struct view_question question = {
+        .setup = &setup,
+        .film = lens->real->rear + image,
+        .subject = lens->measuring.front - distance,
+        .first = lens->first,
+        .squeeze = input->squeeze,
+        .sensor = input->sensor.size,
+    };
+    return setup_open(&asked, arena, &setup, error) && view_of_lens(&question, arena, view, error);
+}
+
+/* The film behind H' where an image is sharpest; the distance is met again from the sensor. */
+static bool place_film(const struct fov_input *input, const struct photo_lens *lens,
+                       double *distance, struct run *run, double *image, struct by_rays_row *row,
+                       struct error *error)
+{
+    struct real_focus focus;
+    if (input->gap != NULL) {
+        return fail(error, ERROR_USAGE,
+                    "{--exact} moves the whole lens to where it is sharpest: it excludes {--gap}");
+    }
+    return by_rays_open(&input->lens, lens, *distance, 0, run, &focus, row, error) &&
+           (input->lens.from != FROM_SENSOR || isinf(*distance) ||
+            by_rays_distance(&focus, lens, *distance, input->distance, distance, error)) &&
+           by_rays_image(&focus, lens, *distance, image, &row->blur, error);
+}
+
+/* How much wider the angle is than at infinity. */
+static bool find_breathing(const struct fov_input *input, const struct photo_lens *lens,
+                           struct run *run, struct fov_row *row, struct error *error)
+{
+    const struct photo_lens *far = input->at_infinity != NULL ? input->at_infinity : lens;
+    double image = far->f, distance = INFINITY;
+    struct by_rays_row ignored;
+    struct view view;
+    if ((input->lens.rays.exact &&
+         !place_film(input, far, &distance, run, &image, &ignored, error)) ||
+        !trace_view(input, far, INFINITY, image, run->arena, &view, error)) {
+        return false;
+    }
+    row->breathing = row->fov.diagonal / view.diagonal.angle - 1;
+    return true;
+}
+
+/* In place of what the projection says, which has checked the setting. */
+static bool view_by_rays(const struct fov_input *input, const struct photo_lens *lens,
+                         struct fov_row *row, struct arena *arena, struct error *error)
+{
+    struct view view;
+    if (lens->lens == NULL) {
+        return fail(error, ERROR_USAGE, "{--projection} chief-rays needs {--lens}");
+    }
+    if (!isnan(input->lens.pupil)) {
+        return fail(
+            error, ERROR_USAGE,
+            "{--projection} chief-rays goes by the lens's own pupils: it excludes {--pupil}");
+    }
+    if (!trace_view(input, lens, row->setting.s, row->image, arena, &view, error)) {
+        return false;
+    }
+    row->fov = (struct fov){view.horizontal.angle,        view.vertical.angle, view.diagonal.angle,
+                            view.horizontal.size,         view.vertical.size,  view.diagonal.size,
+                            fov_kind(view.diagonal.angle)};
+    row->projection = fov_ways[VIEW_RAYS].word;
+    row->circle = view.circle;
+    if (!isnan(view.circle)) {
+        fov_warn(
+            row,
+            arena_printf(arena,
+                         "the image circle, %.4g mm across, does not cover the sensor, %.4g mm: "
+                         "angles and fields end at its edge",
+                         view.circle, sensor_diagonal(&input->sensor.size)),
+            arena);
+    }
+    if (!isnan(view.clear)) {
+        fov_warn(row,
+                 arena_printf(
+                     arena,
+                     "the chief rays are stopped by clear apertures outside a circle of %.4g mm: "
+                     "the corners are strongly vignetted",
+                     view.clear),
+                 arena);
+    }
+    return true;
+}
+
+static bool look_by_rays(const struct fov_input *input, const struct photo_lens *lens,
+                         struct run *run, struct fov_row *row, struct error *error)
+{
+    return view_by_rays(input, lens, row, run->arena, error) &&
+           (!run_shows(run, offsetof(struct fov_row, breathing)) ||
+            find_breathing(input, lens, run, row, error));
+}
+
+/* How far the subject is from the front principal plane. */
+static bool find_subject(const struct fov_input *input, const struct photo_lens *lens, double *s,
+                         struct error *error)
+{
+    const bool both = !isnan(input->magnification) && !isinf(input->distance);
+    const bool near = !isnan(input->magnification) && !both;
+    bool elsewhere = input->lens.from != FROM_PRINCIPAL && !isinf(input->distance);
+    *s = input->distance;
+    if ((near || elsewhere) && isnan(lens->f)) {
+        return fail(error, ERROR_USAGE, "{--%s} needs {--focal-length} or {--lens}",
+                    near ? "magnification" : "from");
+    }
+    if (near) {
+        *s = lens->f * (1 + 1 / input->magnification);
+        return true;
+    }
+    if (elsewhere &&
+        !distance_to_principal(lens->f, lens->P, input->distance, &lens->measuring, s, error)) {
+        return false;
+    }
+    /* rows of other commands bring both, which then say the same */
+    const double m = lens->f / (*s - lens->f), rough = 1e-4;
+    return !both || fabs(input->magnification - m) <= rough * fabs(m) ||
+           fail(error, ERROR_USAGE, "{--magnification} %.6g is not that of the distance: %.6g",
+                input->magnification, m);
+}
+
+/* What a camera in the air sees of the ground, if that is asked for. */
+static bool fill_ground(const struct fov_input *input, struct fov_row *row, struct run *run,
+                        struct error *error)
+{
+    const struct sharpness pixels = {.sensor = input->sensor, .pitch = input->pitch};
+    row->ground = (struct fov_ground){input->altitude, input->gsd, NAN, NAN};
+    row->pitch = NAN;
+    if (isnan(input->altitude) && isnan(input->gsd)) {
+        return true;
+    }
+    row->pitch = sharpness_pitch(&pixels);
+    sharpness_doubt_pitch(&pixels, run->doubts);
+    if (isnan(row->pitch) && !isnan(input->gsd)) {
+        return fail(error, ERROR_USAGE,
+                    "{--gsd} needs the pixel pitch: give {--pitch}, or a camera as {--sensor}");
+    }
+    if (isnan(row->pitch)) {
+        warnings_add(run->doubts, "the ground sample needs the pixel pitch (--pitch, or --sensor "
+                                  "with a camera): it is left out");
+    }
+    return fov_ground(&row->setting, &row->fov, row->pitch, &row->ground, error);
+}
+
+static bool fov_answer(const void *data, const struct photo_lens *lens, struct run *run,
+                       struct error *error)
+{
+    const struct fov_input *input = data;
+    bool chosen = input->projection >= VIEW_PROJECTIONS;
+    struct fov_row row = {
+        .setting = {(enum projection)(chosen ? input->projection - VIEW_PROJECTIONS : RECTILINEAR),
+                    lens->f, input->distance, lens->P, input->squeeze},
+        .width = input->sensor.size.width,
+        .height = input->sensor.size.height,
+        .sensor = input->sensor.name,
+        .projection = fov_ways[chosen ? input->projection : VIEW_PROJECTIONS].word,
+        .from = isinf(input->distance) ? NULL : distances_from[input->lens.from].word,
+        .circle = NAN,
+        .breathing = NAN,
+        .real = *lens->real,
+        .rays = by_rays_none,
+    };
+    if (!find_subject(input, lens, &row.setting.s, error) ||
+        !photo_lens_check_subject(lens, row.setting.s, error)) {
+        return false;
+    }
+    /* The focal length from the one goal that is given. */
+    const struct fov_goals goals = {input->horizontal,  input->vertical,     input->diagonal,
+                                    input->field_width, input->field_height, input->field_diagonal};
+    if (!fov_solve(&row.setting, &input->sensor.size, &goals, &row.setting.f, error) ||
+        !fov_compute(&row.setting, &input->sensor.size, &row.fov, error)) {
+        return false;
+    }
+    row.image = distance_image(row.setting.f, row.setting.s);
+    if (input->position != NULL) {
+        row.real.position = input->position;
+    }
+    if ((input->lens.rays.exact &&
+         !place_film(input, lens, &row.setting.s, run, &row.image, &row.rays, error)) ||
+        (wants_rays(input, lens) && !look_by_rays(input, lens, run, &row, error)) ||
+        !fill_ground(input, &row, run, error)) {
+        return false;
+    }
+    row.magnification = row.setting.f / (row.setting.s - row.setting.f);
+    row.crop = sensor_crop(&input->sensor.size);
+    row.sensor_distance = row.setting.s + row.image + lens->measuring.hiatus;
+    run_emit(run, &row);
+    return true;
+}
+
+/*
+ * The lens in a position as it stands when its gaps are focused on a distance, at the question's
+ * wavelength, else the primary one; of several solutions the one that moves least.
+ */
+static bool focus_by_gaps(const struct fov_input *input, size_t position, double distance,
+                          struct arena *arena, struct photo_lens_question *focused,
+                          struct error *error)
+{
+    const struct photo_lens_question *question = &input->lens;
+    const struct lens *typed = question->lens.lens;
+    const struct lens *lens = lens_at_position(typed, position, arena);
+    struct focused *solutions = ARENA_ARRAY(arena, FOCUS_SOLUTIONS, struct focused);
+    struct focus_mechanism focusing = {
+        .wavelength = question->wavelength > 0 ? wavelength_micrometres(question->wavelength)
+                                               : lens_primary_wavelength(typed),
+        .section = (enum lens_section)question->section,
+    };
+    const struct conjugate_question object = {
+        CONJUGATE_OBJECT, focus_from((enum distance_from)question->from), distance, 0};
+    if (!focus_gaps_open(text_of(input->gap), typed, lens, arena, &focusing, error) ||
+        focus_solve(&focusing, &object, arena, solutions, error) == 0) {
+        return false;
+    }
+    *focused = *question;
+    focused->position = NULL;
+    focused->lens.lens = solutions[0].lens;
+    focused->lens.memo = ARENA_NEW(arena, struct lens_memo);
+    *focused->lens.memo = (struct lens_memo){.is_known = false};
+    focused->lens.arena = arena;
+    return true;
+}
+
+/* The lens in a position, focused by its gaps. */
+static bool answer_focused(const struct fov_input *input, size_t position, struct run *run,
+                           struct error *error)
+{
+    const struct lens *lens = input->lens.lens.lens;
+    struct fov_input own = *input;
+    struct photo_lens_question far;
+    struct photo_lens near, infinity;
+    if (!isnan(input->magnification)) {
+        return fail(error, ERROR_USAGE, "{--gap} focuses on a {--distance}, not a magnification");
+    }
+    if (!focus_by_gaps(input, position, input->distance, run->arena, &own.lens, error) ||
+        !photo_lens_single(&own.lens, 0, run->arena, &near, error) ||
+        !focus_by_gaps(input, position, INFINITY, run->arena, &far, error) ||
+        !photo_lens_single(&far, 0, run->arena, &infinity, error)) {
+        return false;
+    }
+    own.at_infinity = &infinity;
+    own.position = lens->position_count > 0 ? lens->positions[position] : NULL;
+    return fov_answer(&own, &near, run, error);
+}
+
+bool fov_run(const void *data, struct run *run, struct error *error)
+{
+    const struct fov_input *input = data;
+    const size_t *positions;
+    size_t count;
+    if (input->gap == NULL || input->lens.lens.lens == NULL) {
+        return photo_lens_each(&input->lens, 0, run, fov_answer, input, error);
+    }
+    if (!lens_positions(input->lens.lens.lens, input->lens.position, run->arena, &positions, &count,
+                        error)) {
+        return false;
+    }
+    for (size_t i = 0; i < count; i++) {
+        if (!answer_focused(input, positions[i], run, error)) {
+            return false;
+        }
+    }
+    return true;
+}

@@ -1,0 +1,47 @@
+/* commands/photo/fov_question.h - what `fov` is asked, and the rows that answer it. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_COMMANDS_PHOTO_FOV_QUESTION_H
+#define LENSCALC_COMMANDS_PHOTO_FOV_QUESTION_H
+
+#include "commands/photo/by_rays.h"
+#include "commands/photo/photo_lens.h"
+#include "commands/photo/sharpness.h"
+#include "photo/fov.h"
+
+/* How angles are found: by the lens's rays, or a projection of photo/fov.h behind them. */
+enum view_way { VIEW_AUTO, VIEW_RAYS, VIEW_PROJECTIONS };
+
+/* The words of --projection for them, in that order, the projections behind them. */
+extern const struct word fov_ways[];
+
+/* The options of the command fill it; lengths in mm, angles in rad, NaN = not given. */
+struct fov_input {
+    double distance, magnification, squeeze;
+    struct photo_lens_question lens;
+    struct sensor_value sensor;
+    int projection;
+    double horizontal, vertical, diagonal;            /* wanted angles, rad */
+    double field_width, field_height, field_diagonal; /* wanted fields, mm */
+    double altitude, gsd, pitch;                      /* of a camera in the air, mm */
+    int focus_by;
+    const char *gap;
+    /* of a lens that is focused by its gaps, as it stands for infinity, and its position */
+    const struct photo_lens *at_infinity;
+    const char *position;
+};
+
+struct fov_row {
+    struct fov_setting setting;
+    struct fov fov;
+    double magnification, width, height, crop, image, sensor_distance, circle, pitch;
+    struct fov_ground ground;
+    double breathing; /* NaN: not asked for */
+    struct photo_real real;
+    struct by_rays_row rays;
+    const char *sensor, *projection, *from;
+};
+
+/* The `run` of the command. */
+bool fov_run(const void *data, struct run *run, struct error *error);
+
+#endif
