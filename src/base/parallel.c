@@ -96,9 +96,19 @@ void parallel_for(int threads, size_t count, size_t piece, parallel_function *fu
     parallel_run(threads, &loop, NULL);
 }
 
+/* macOS and the BSDs hide the number where POSIX of 2008 is asked for, which lacks it: then one. */
+static long processors_online(void)
+{
+#ifdef _SC_NPROCESSORS_ONLN
+    return sysconf(_SC_NPROCESSORS_ONLN);
+#else
+    return 1;
+#endif
+}
+
 int parallel_threads(long asked)
 {
-    long cores = asked > 0 ? asked : sysconf(_SC_NPROCESSORS_ONLN);
+    long cores = asked > 0 ? asked : processors_online();
     if (cores < 1) {
         return 1;
     }
