@@ -58,7 +58,8 @@ FORBIDDEN_CALLS = re.compile(
     r"abort|getenv|setlocale|signal|system|fork|__builtin_cpu_supports)\s*\(|"
     r"\b(stdin|stdout|stderr|FILE)\b")
 ALLOWED_CALLS = {"base/arena.c": {"write", "_exit"}, "base/processor.h": {"__builtin_cpu_supports"}}
-# What gcc and clang add to C17, and what of it README says is used, with the files of the rare ones.
+# What gcc and clang add to C17, and what of it src/README says is used, with the files of the rare
+# ones.
 EXTENSIONS = re.compile(r"__attribute__\(\((\w+)|(__builtin_\w+|__int128|__typeof__|__asm__|\btypeof|"
                         r"\basm|__thread|__extension__|\balloca)\b")
 USED_EXTENSIONS = {"format": None, "noinline": None, "always_inline": None, "target": None,
