@@ -392,6 +392,21 @@ static bool read_surface_line(struct parser *parser)
     return true;
 }
 
+/* `thin`: the two principal planes are one. */
+static bool read_thin_line(struct parser *parser)
+{
+    if (!read_surface_line(parser)) {
+        return false;
+    }
+    const struct surface *surface = &parser->lens->surfaces[parser->lens->surface_count - 1];
+    const struct text hiatus = surface->hiatus.typed;
+    if (hiatus.start != NULL) {
+        parser_fail(parser, hiatus, "a thin lens has no hiatus");
+        return error_hint(parser->words.error, "a lens with one is 'thick'");
+    }
+    return true;
+}
+
 /* `pass` and `block` */
 static bool read_aperture_line(struct parser *parser)
 {
@@ -438,6 +453,7 @@ static const struct {
     {"surface", 0, read_surface_line, SURFACE_REFRACT},
     {"stop", 0, read_surface_line, SURFACE_STOP},
     {"thick", 0, read_surface_line, SURFACE_THICK},
+    {LENS_THIN_WORD, 0, read_thin_line, SURFACE_THICK},
     {"bend", 0, read_coordinate_break, 0},
     {"pass", 0, read_aperture_line, false},
     {"block", 0, read_aperture_line, true},

@@ -329,6 +329,38 @@ static bool read_focal(struct file_words *words, struct lens_variables *variable
                            "a thick lens has a focal length other than 0");
 }
 
+static bool is_at_end(struct file_words *words)
+{
+    const char *at = words->at;
+    const bool is = file_words_next(words).length == 0;
+    words->at = at;
+    return is;
+}
+
+/* Thickness, medium and diameter; an ideal lens may end before any of them. */
+static bool read_cells(struct file_words *words, const struct medium *before,
+                       struct lens_variables *variables, struct surface *surface)
+{
+    const bool may_end = surface_has(surface, SURFACE_HAS_FOCAL);
+    surface->thickness.variable = surface->diameter.variable = LENS_NONE;
+    surface->medium = *before;
+    if (may_end && is_at_end(words)) {
+        return true;
+    }
+    if (!read_gap_cell(words, "thickness", variables, &surface->thickness,
+                       &surface->has_thickness)) {
+        return false;
+    }
+    if (may_end && is_at_end(words)) {
+        return true;
+    }
+    if (!read_surface_glass(words, before, surface)) {
+        return false;
+    }
+    return (may_end && is_at_end(words)) ||
+           read_gap_cell(words, "diameter", variables, &surface->diameter, &surface->has_diameter);
+}
+
 bool lens_surface_read(struct file_words *words, enum surface_kind kind,
                        const struct medium *before, struct lens_variables *variables,
                        struct surface *surface)
@@ -350,10 +382,7 @@ bool lens_surface_read(struct file_words *words, enum surface_kind kind,
                                "a stop is a plane: for a stop on glass put the word stop behind "
                                "the diameter of its surface");
     }
-    if (!read_gap_cell(words, "thickness", variables, &surface->thickness,
-                       &surface->has_thickness) ||
-        !read_surface_glass(words, before, surface) ||
-        !read_gap_cell(words, "diameter", variables, &surface->diameter, &surface->has_diameter)) {
+    if (!read_cells(words, before, variables, surface)) {
         return false;
     }
     if (surface->has_diameter && surface->diameter.variable == LENS_NONE &&

@@ -8,6 +8,9 @@
 #include "optics/growing.h"
 #include "optics/lens.h"
 
+/* A thick lens without a hiatus is written so. */
+#define LENS_THIN_WORD "thin"
+
 /* The variables of a lens being read, and where each was first used. */
 struct lens_variables {
     struct lens *lens;
@@ -20,9 +23,11 @@ size_t lens_variable_find(struct lens_variables *variables, const struct file_wo
                           struct text name);
 
 /*
- * Read what follows the word `surface`, `stop` or `thick`.
+ * Read what follows the word `surface`, `stop`, `thick` or `thin`.
  *
- * Given     kind    SURFACE_REFRACT for `surface`, SURFACE_STOP, SURFACE_THICK
+ * Given     kind    SURFACE_REFRACT for `surface`, SURFACE_STOP, SURFACE_THICK for both others.
+ *                   Behind the focal length of those everything may be missing: then the medium is
+ *                   the one before
  *           before  the medium before the surface; what a mirror leaves it in
  */
 bool lens_surface_read(struct file_words *words, enum surface_kind kind,

@@ -164,7 +164,8 @@ static void put_surface_line(struct lens_write_writer *writer, const struct surf
         growing_string(&writer->text, "\n");
     }
     size_t start = writer->text.length;
-    growing_string(&writer->text, surface_traits(surface)->word);
+    growing_string(&writer->text,
+                   surface_is_thin(surface) ? LENS_THIN_WORD : surface_traits(surface)->word);
     for (int cell = 0; cell < CELLS; cell++) {
         put_tab(writer, start, writer->tabs[cell]);
         put_in_table(writer, surface, cell);

@@ -114,6 +114,12 @@ struct pair surface_hiatus(const struct surface *surface)
     return surface_has(surface, SURFACE_HAS_FOCAL) ? surface->hiatus.value : pair_of(0);
 }
 
+bool surface_is_thin(const struct surface *surface)
+{
+    return surface_has(surface, SURFACE_HAS_FOCAL) && surface->hiatus.variable == LENS_NONE &&
+           surface->hiatus.value.hi == 0;
+}
+
 struct pair surface_advance(const struct surface *surface)
 {
     return surface_has(surface, SURFACE_HAS_FOCAL)

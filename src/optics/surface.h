@@ -216,6 +216,9 @@ bool surface_is_cone(const struct surface *surface);
 enum lens_section { SECTION_Y, SECTION_X };
 struct pair surface_curvature(const struct surface *surface, enum lens_section section);
 
+/* A thick lens whose principal planes are one, and stay one: an ideal thin lens. */
+bool surface_is_thin(const struct surface *surface);
+
 /* From the vertex to the next one, mm: the thickness, and the hiatus of a thick lens. */
 struct pair surface_advance(const struct surface *surface);
 

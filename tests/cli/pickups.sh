@@ -31,7 +31,7 @@ sed 's/-50 .*3.25/-51.3 3.25/' own.lens > typed.lens
 lenscalc lens typed.lens --position tele --csv --columns efl_mm,warning
 lenscalc convert typed.lens | diff own.lens -
 # another program's file
-grep -v 'thick\|surface     40' own.lens | sed '/glass5/d' > plain.lens
+grep -v 'thin\|surface     40' own.lens | sed '/glass5/d' > plain.lens
 for to in zmx seq len dat; do lenscalc convert plain.lens --to $to > /dev/null; done
 lenscalc convert plain.lens --to zmx --lossy | tr -d '\r' | grep 'CURV\|NOTE'
 # of other programs: what the lens has to the last bit is kept

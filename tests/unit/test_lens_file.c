@@ -53,6 +53,10 @@ static void check_errors(void)
         {"thick 50 5 air 4 hiatus=1..2\n", 1, 27, "not a number"},
         {"thick 50 5 air 4 distortion=1,2,3,4\n", 1, 35, "more than 3"},
         {"thick f1 5 air 4\n", 1, 7, "'f1' is not a number, and no line"},
+        {"thin - 5 air 4\n", 1, 6, "other than 0"},
+        {"thin 50 5 mirror\n", 1, 11, "not a mirror"},
+        {"thin 50 5 air 4 hiatus=1\n", 1, 24, "no hiatus"},
+        {"thin 50\nthin 50\n", 2, 1, "without a thickness"},
         {"surface 5 2 air 4 R~ R~\n", 1, 22, "'R~' is there twice"},
         {"surface 5 2 air 4 A4~ t~ A4~[1,2]\n", 1, 26, "'A4~' is there twice"},
         {"surface 5 2 air 4 A3=1e-5 A3=2e-5\n", 1, 27, "'A3=' is there twice"},
@@ -240,9 +244,30 @@ static void check_thick(void)
     arena_free(&arena);
 }
 
+/*
+ * Two thin lenses, d apart: 1/f = 1/f1 + 1/f2 - d/(f1 f2), behind the second one
+ * f2 (d - f1)/(d - f1 - f2) to the focus [Hecht17] 6.1; in cm f1 = 8, f2 = -9.5, d = 14.
+ */
+static void check_thin(void)
+{
+    struct arena arena = {0};
+    struct error error = {0};
+    struct lens lens;
+    struct first_order first;
+    CHECK(read_text("unit cm\nthin 8 14\nthin -9.5\n", &arena, &lens, &error));
+    CHECK(first_order_of_lens(&lens, 0.55, SECTION_Y, &arena, &first, &error));
+    CHECK_RELATIVE(first.efl, 10 * 8 * 9.5 / 15.5, 1e-15, "focal length of two thin lenses");
+    CHECK_RELATIVE(first.bfl, 10 * -9.5 * 6 / 15.5, 1e-15, "back focal length");
+    CHECK(surface_is_thin(&lens.surfaces[0]) && !lens.surfaces[1].has_thickness);
+    CHECK(read_text("medium 1.33\nthin 8\n", &arena, &lens, &error));
+    CHECK_NEAR(lens.surfaces[0].medium.index.hi, 1.33, 0, "the medium in front");
+    arena_free(&arena);
+}
+
 int main(void)
 {
     check_thick();
+    check_thin();
     check_errors();
     check_decimals();
     check_model();

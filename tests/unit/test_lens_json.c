@@ -95,7 +95,7 @@ static const struct meaning meanings[] = {
      "\"kind\":\"thick\",\"focal_mm\":80,\"hiatus_mm\":2,\"distortion\":[0.01,0,0]",
      "thick 80 90 air - hiatus=2 distortion=0.01"},
     {"\"kind\":\"refract\",\"is_stop\":false", "\"kind\":\"thick\",\"focal_mm\":-80",
-     "thick -80 90 air -"},
+     "thin -80 90 air -"},
 };
 
 /* 1 in = 25.4 mm: 25.4, 50.8, 1/25.4 and 25.4^-3 are exact in inches. */

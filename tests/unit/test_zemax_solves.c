@@ -27,22 +27,22 @@ static const char good[] = "MODE SEQ\n"
                            "  DISZ 0\n";
 
 static const struct meaning of_paraxial[] = {
-    {"", "", "thick 50 50 air -"},
-    {"PARM 2 1", "PARM 2 0", "thick 50 50 air -"},
-    {"PARM 1 50", "PARM 1 -12.5\n  DIAM 4", "thick -12.5 50 air 8"},
-    {"PARM 1 50", "PARM 1 50\n  GLAS ___BLANK 1 0 1.33 0", "thick 50 50 1.33 -"},
-    {"UNIT MM", "UNIT IN", "thick 50 50 air -"},
+    {"", "", "thin 50 50 air -"},
+    {"PARM 2 1", "PARM 2 0", "thin 50 50 air -"},
+    {"PARM 1 50", "PARM 1 -12.5\n  DIAM 4", "thin -12.5 50 air 8"},
+    {"PARM 1 50", "PARM 1 50\n  GLAS ___BLANK 1 0 1.33 0", "thin 50 50 1.33 -"},
+    {"UNIT MM", "UNIT IN", "thin 50 50 air -"},
     {"  STOP\n  DISZ 20\nSURF 2\n  TYPE PARAXIAL\n", "  DISZ 20\nSURF 2\n  TYPE PARAXIAL\n  STOP\n",
-     "thick 50 50 air - stop"},
-    {"  DISZ 20\n", "  TYPE PARAXIAL\n  PARM 1 40\n  DISZ 20\n", "thick 40 20 air - stop"},
+     "thin 50 50 air - stop"},
+    {"  DISZ 20\n", "  TYPE PARAXIAL\n  PARM 1 40\n  DISZ 20\n", "thin 40 20 air - stop"},
     {"SURF 3\n", "SURF 3\n  TYPE PARAXIAL\n  PARM 1 9\n  PPAR 1 2 -0.5 3\n  DISZ 5\nSURF 4\n",
-     "thick -22 5 air -"},
+     "thin -22 5 air -"},
     {"SURF 3\n  DISZ 0\n", "SURF 3\n  DISZ 0\nMNUM 2 1\nPAR1 2 1 50\nPAR1 2 2 60\n",
      "set f2 50 60"},
     /* a plane in the program too: the numbers of its curve do nothing */
     {"PARM 2 1", "PARM 2 1\n  CURV 0.1\n  CONI 2",
      "note surface 2 is an ideal lens: its curvature and conic do nothing"},
-    {"PARM 2 1", "PARM 2 1\n  CURV 0.1\n  CONI 2", "thick 50 50 air -"},
+    {"PARM 2 1", "PARM 2 1\n  CURV 0.1\n  CONI 2", "thin 50 50 air -"},
 };
 
 static const struct refusal of_wrong_paraxial[] = {

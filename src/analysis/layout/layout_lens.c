@@ -486,7 +486,7 @@ bool layout_lens(struct layout *layout, struct error *error)
             double at = layout->vertex[i], semi = layout->semi[i],
                    behind = at + layout_hiatus(layout, i);
             layout_line(layout, LAYOUT_PLANE, (struct layout_ends){at, -semi, at, semi},
-                        "thick lens");
+                        surface_is_thin(&lens->surfaces[i]) ? "thin lens" : "thick lens");
             layout_line(layout, LAYOUT_PLANE, (struct layout_ends){behind, -semi, behind, semi},
                         NULL);
             layout_lens_reach(layout, at);

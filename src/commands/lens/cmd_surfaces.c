@@ -91,7 +91,7 @@ static const char *surfaces_kind_of(const struct surface *surface)
 {
     const char *name = surface_traits(surface)->name;
     if (name != NULL) {
-        return name;
+        return surface_is_thin(surface) ? "thin" : name;
     }
     return !surface_is_round(surface) ? "cylinder"
                                       : surface_profiles[surface_profile(surface)].name;
