@@ -176,6 +176,12 @@ void first_order_compute(const struct paraxial_system *system, const struct para
     first_order_trace(system, trace, object, first_order, false);
 }
 
+/* The object's height of an image's; NaN: an image infinitely far away has none. */
+static double height_in_object(const struct first_order *all, double field)
+{
+    return isinf(all->magnification) ? (double)NAN : field / all->magnification;
+}
+
 /* n u of the chief ray in object space, through the centre of the entrance pupil. */
 static double chief_slope(const struct first_order *all, const struct conjugate_object *object,
                           enum field_kind kind, double field)
@@ -189,7 +195,7 @@ static double chief_slope(const struct first_order *all, const struct conjugate_
         return of_image ? field * all->power : NAN;
     }
     if (of_image) {
-        height = field / all->magnification;
+        height = height_in_object(all, field);
     }
     return -n * height / (object->distance.hi + all->entrance_pupil);
 }
@@ -222,7 +228,7 @@ static void set_telecentric_beam(struct first_order *all, const struct conjugate
     } else if (kind == FIELD_HEIGHT) {
         all->chief_y = field;
     } else {
-        all->chief_y = field / all->magnification;
+        all->chief_y = height_in_object(all, field);
     }
     all->lagrange = -all->marginal_v * all->chief_y;
 }

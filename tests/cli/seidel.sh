@@ -31,3 +31,10 @@ lenscalc seidel double-gauss --explain --columns surface,S1 | tail -n 5
 # a field that nobody states is said to be none of the lens
 lenscalc seidel edmund-achromat-120 --plot bars.svg > /dev/null && grep -o "field 5 deg[^,]*" bars.svg
 lenscalc seidel double-gauss --form transverse --explain --columns surface,TAchC | tail -3
+# an image infinitely far away has no height; the drawing names the beam that an object limits
+for field in image real; do
+    printf 'lens far\nobject 98.2105263158 telecentric\nfocus afocal\nfield %s 0 5\naperture na 0.1\nsurface 51.68 4 1.5168/64.2 30\nsurface - 0 air 30\n' $field |
+        lenscalc seidel -
+done
+printf 'lens relay\nobject 100 telecentric\nfield height 5\naperture na 0.1\nsurface 50 4 1.5 -\nsurface -50 0 air -\n' |
+    lenscalc seidel - --plot bars.svg > /dev/null && grep -o 'NA [0-9.]* in object space' bars.svg

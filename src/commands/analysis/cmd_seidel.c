@@ -217,6 +217,11 @@ static bool seidel_sum_up(const struct analysis_cursor *at, struct seidel_case *
     if (!setup_light(setup, 0, &one->light, error)) {
         return false;
     }
+    const bool of_image = setup->edge.kind == FIELD_IMAGE || setup->edge.kind == FIELD_REAL;
+    if (of_image && isinf(one->light.first.magnification)) {
+        return fail(error, ERROR_DOMAIN,
+                    "the field is an image height, but the image is infinitely far away");
+    }
     struct error colours;
     if (isnan(one->light.first.working_fnumber)) {
         fail(error, ERROR_DOMAIN,
@@ -354,9 +359,16 @@ static const char *seidel_view_subtitle_of(const struct seidel_case *one, struct
     } else if (one->field.kind == FIELD_HEIGHT) {
         field = arena_printf(arena, "object height %.5g mm", value);
     }
-    const char *aperture = isfinite(first->fnumber)
-                               ? arena_printf(arena, "f/%.4g", first->fnumber)
-                               : arena_printf(arena, "stop radius %.4g mm", first->stop_radius);
+    const char *aperture;
+    if (isfinite(first->fnumber)) {
+        aperture = arena_printf(arena, "f/%.4g", first->fnumber);
+    } else if (isfinite(first->stop_radius)) {
+        aperture = arena_printf(arena, "stop radius %.4g mm", first->stop_radius);
+    } else { /* afocal, and its beam is that of the object alone */
+        const double slope = atan(first->marginal_v / first->index_object);
+        aperture =
+            arena_printf(arena, "NA %.4g in object space", fabs(first->index_object * sin(slope)));
+    }
     const char *colours = isnan(one->blue)
                               ? ""
                               : arena_printf(arena, ", colour %.5g to %.5g nm",

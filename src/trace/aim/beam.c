@@ -138,6 +138,10 @@ bool beam_of_field(const struct field_point *field, const struct conjugate_objec
             return fail(error, ERROR_DOMAIN,
                         "the field is an object's height, but the object is infinitely far away");
         }
+        if (isinf(m)) {
+            return fail(error, ERROR_DOMAIN,
+                        "the field is an image height, but the image is infinitely far away");
+        }
         double point[3] = {value[0] / m, value[1] / m, -object->distance.hi};
         return beam_from_point(point, n, beam, error);
     }
