@@ -4,7 +4,8 @@
 #   bench      time, as ratios; ONLY=rays a section   deps       install what build and tests need
 #   install    into PREFIX (and DESTDIR)             uninstall  take it away again
 #   dist       a source archive                      format     clang-format over the sources
-#   fuzz       long fuzzing: SECONDS=600 JOBS=2      clean      remove build/
+#   clean      remove build/
+#   fuzz       long fuzzing: SECONDS=600 JOBS=2, ONLY="odd lens" these
 #   faults     memory, reading and writing fail call by call: every command
 #   stress     the worst errors where arithmetic is hardest: SECONDS=60 SEED=1;
 #              FAMILY=rays of one kind, NUMBER=7 of one trial
@@ -260,7 +261,7 @@ bench: deps all
 	@tests/bench/run $(BUILD) $(ONLY)
 
 fuzz: deps
-	@tests/fuzz/run $(SECONDS) $(JOBS) $(BUILD)
+	@tests/fuzz/run $(SECONDS) $(JOBS) $(BUILD) $(ONLY)
 
 # a static program asks nobody for its memory
 faults: deps
