@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""tests/truth/check_equivalent.py - equivalent focal lengths as values: check_equivalent.py BUILD_DIR
+"""tests/truth/check_equivalent.py - equivalent focal lengths as values, converters, crops: check_equivalent.py BUILD_DIR
 
 A length of E mm-eq has on a sensor of diagonal d the real length E d/hypot(36, 24): the same diagonal
 angle as E has on 36 x 24 mm.
@@ -76,6 +76,29 @@ def check_many(checks, program):
         checks.near("f", "cell", row["focal_mm"], length, 1e-14 * 26)
 
 
+def check_converted(checks, program):
+    """Converters multiply focal length and f-number, a crop divides the sides of the sensor."""
+    for f, N, k, crop in ((300, 4, 2, 1.5), (50, 1.2, 0.71, 1.6), (70, 2.8, 1.4, 1), (400, 5.6, 1.7, 2.7)):
+        row = program.rows("fov", "-f", str(f), "--converter", f"{k}x", "--crop", str(crop))[0]
+        checks.near("angle", f"{f} {k}x {crop}", row["diagonal_deg"],
+                    2 * math.degrees(math.atan(FULL / crop / 2 / (k * f))), 1e-12 * 180)
+        row = program.rows("equivalent", "-f", str(f), "-N", str(N), "--converter", f"{k}x", "--crop", str(crop))[0]
+        for column, value in (("combined_focal_mm", k * f), ("combined_fnumber", k * N), ("equal_focal_mm", k * f * crop),
+                              ("equal_fnumber", k * N * crop), ("crop_factor", crop), ("focal_mm", f), ("fnumber", N)):
+            checks.near(column, f"{f} {k}x {crop}", row[column], value, 1e-12 * abs(value))
+    # OM SYSTEM, product page of the MC-14: the M.Zuiko 300 mm F4 becomes 420 mm F5.6, as 840 mm on 35 mm film
+    row = program.rows("equivalent", "-f", "300", "-N", "4", "--converter", "1.4x", "--sensor", "4/3")[0]
+    for column, value, tolerance in (("combined_focal_mm", 420, 1e-9), ("combined_fnumber", 5.6, 1e-9),
+                                     ("equal_focal_mm", 840, 1)):
+        checks.near(column, "300 mm with MC-14", row[column], value, tolerance)
+    # the part of a named sensor, from near by: the angle is that of a sensor so large
+    for words in ("-f 35 -s 40cm", "-f 8 --projection equisolid"):
+        part = program.rows("fov", *words.split(), "--sensor", "23.5x15.6mm", "--crop", "1.25")[0]
+        small = program.rows("fov", *words.split(), "--sensor", "18.8x12.48mm")[0]
+        for column, value in small.items():
+            checks.check(is_same(part[column], value), f"{words} {column}: {part[column]} {value}")
+
+
 def check_refused(checks, program):
     for words, said in (("dof -f 26mm-eq -N 2 -s 2", "needs --sensor"),
                         ("focus -f 26mm-eq -s 2", "needs --sensor"),
@@ -83,6 +106,12 @@ def check_refused(checks, program):
                         ("dof -f 0mm-eq -N 2 -s 2 --sensor 1in", "above 0"),
                         ("dof -f 24mm-eq,7mm -N 2 -s 2 --sensor 1in", "or none"),
                         ("dof -f 24mm..70mm-eq -N 2 -s 2 --sensor 1in", "bad range"),
+                        ("fov -f 50 --crop 0.8 --sensor aps-c", "below 1"),
+                        ("fov -f 50 --crop 0", "above 0"),
+                        ("fov --horizontal 40 --converter 2x", "--converter needs"),
+                        ("fov -f 50 -s 2 --from sensor --converter 2x", "without --converter"),
+                        ("fov --lens double-gauss --converter 2x --projection chief-rays", "excludes --converter"),
+                        ("fov --lens double-gauss --converter 2x --exact", "exclude each other"),
                         ("dof -f 50 -N 2 -s 26mm-eq", "unexpected text")):
         result = program.run(*words.split())
         checks.check(result.returncode in (1, 2) and said in result.stderr.decode(),
@@ -108,6 +137,7 @@ def main():
     check_commands(checks, program)
     check_angles(checks, program)
     check_many(checks, program)
+    check_converted(checks, program)
     check_refused(checks, program)
     check_doubts(checks, program)
     checks.finish()

@@ -28,7 +28,13 @@ struct attachments {
 #define OPTION_CONVERTER(member)                                                                   \
     ENTRY(MEASURE(member, ratio, NULL, "FACTOR"), REPEATED("converter"),                           \
           .quantity = "converter factor", ABOVE_0,                                                 \
-          .help = "teleconverter: 1.4x; for several, the product")
+          .help = "teleconverter: 1.4x; a focal reducer: 0.71x; for several, the product")
+
+/* The same of a command that knows no other attachment. */
+#define OPTION_CONVERTER_ALONE(member, without)                                                    \
+    ENTRY(MEASURE(member, ratio, NULL, "FACTOR"), REPEATED("converter"),                           \
+          .quantity = "converter factor", ABOVE_0, .excludes = (without),                          \
+          .help = "teleconverter behind the lens: 1.4x; a focal reducer: 0.71x")
 
 #define ATTACHMENT_NAMES "close-up tube converter"
 

@@ -1,5 +1,7 @@
 /* commands/photo/cmd_equivalent.c - lenscalc equivalent: the same picture on another format. */
 /* SPDX-License-Identifier: MIT */
+#include "commands/photo/attachments.h"
+#include "commands/photo/crop.h"
 #include "commands/photo/photo_lens.h"
 #include "commands/photo/sharpness.h"
 #include "commands/tables.h"
@@ -10,6 +12,7 @@
 
 struct equivalent_input {
     double iso, distance, magnification;
+    double converter, crop; /* factors */
     struct photo_lens_question lens;
     struct sharpness sharp;
     struct sensor_value to;
@@ -44,6 +47,8 @@ static const struct option options[] = {
     {MEASURE(magnification, ratio, NULL, "RATIO"), REPEATED("magnification"), .letter = 'm', FROM_0,
      .help = "magnification in place of the distance: 1:2 or 0.5"},
     OPTION_PUPIL_OF_LENS(lens.pupil, NULL),
+    OPTION_CONVERTER_ALONE(converter, NULL),
+    OPTION_CROP(crop),
     SHARPNESS_OPTIONS_OF_LENS(sharp, lens, 0, "d/1500", coc_is_pixels),
     {ASKED(to), .name = "to", .column = "equal_sensor", .fallback = "35mm", .value = "NAME|WxH",
      .help = "the other format or camera; a list for several at once"},
@@ -57,6 +62,7 @@ struct equivalent_row {
     const char *sensor, *other, *criterion, *measure, *keep;
     struct equivalent_setting setting;
     struct equivalent equal;
+    double focal, fnumber, converter; /* of the lens alone; the converter's factor */
     double crop, wavelength;
     struct photo_real real;
 };
@@ -65,8 +71,13 @@ struct equivalent_row {
 
 static const struct column columns[] = {
     PHOTO_LENS_COLUMNS(real),
-    COLUMN_FOCAL(setting.f, 0),
-    COLUMN_FNUMBER(setting.N, 0),
+    {LENGTH(setting.f, "mm"), .name = "combined_focal", BRIEF_WITH("converter"), .symbol = "f",
+     .label = "combined focal length", .help = "focal length of lens and converter"},
+    {SHOWN(setting.N), .name = "combined_fnumber", BRIEF_WITH("converter"), .symbol = "N",
+     .label = "combined f-number", .help = "f-number of lens and converter"},
+    COLUMN_FOCAL(focal, 0),
+    COLUMN_FNUMBER(fnumber, 0),
+    COLUMN_CONVERTER(converter),
     {SHOWN(setting.iso), .name = "iso", ASSUMED_BY("iso") | COLUMN_ECHO, .symbol = "S",
      .label = "ISO speed", .help = "ISO speed"},
     {SHOWN(setting.m), .name = "magnification",
@@ -108,18 +119,24 @@ static const struct column columns[] = {
     PHOTO_LENS_WARNING_COLUMN(real),
 };
 
-static bool equivalent_answer(const void *data, const struct photo_lens *lens, struct run *run,
+static bool equivalent_answer(const void *data, const struct photo_lens *bare, struct run *run,
                               struct error *error)
 {
     const struct equivalent_input *input = data;
-    bool has_fnumber = !isnan(lens->N);
+    const struct attachments attachments = {NAN, NAN, input->converter};
+    struct photo_lens room;
+    struct attached_lens attached;
     double k;
     struct sharpness sharp = input->sharp;
-    if (!sharpness_settle(&sharp, PITCH_FOR_COC, run->doubts, error)) {
+    if (!sharpness_settle(&sharp, PITCH_FOR_COC, run->doubts, error) ||
+        !crop_sensor(&input->sharp.sensor, input->crop, run->arena, &sharp.sensor, error) ||
+        !attachments_apply(&attachments, bare, &room, &attached, error)) {
         return false;
     }
+    const struct photo_lens *lens = attached.lens;
+    bool has_fnumber = !isnan(lens->N);
     struct equivalent_row row = {
-        .sensor = input->sharp.sensor.name,
+        .sensor = sharp.sensor.name,
         .other = input->to.name,
         .criterion = sharp.coc.criterion,
         .measure = measures[input->by].word,
@@ -127,7 +144,10 @@ static bool equivalent_answer(const void *data, const struct photo_lens *lens, s
         .setting = {.f = lens->f, .N = has_fnumber ? lens->N : 1, .P = lens->P, .iso = input->iso},
         .real = *lens->real,
         .wavelength = photo_lens_light(lens, sharpness_is_airy(&input->sharp)),
-        .crop = sensor_crop(&input->sharp.sensor.size),
+        .crop = sensor_crop(&sharp.sensor.size),
+        .focal = attached.focal,
+        .fnumber = bare->N,
+        .converter = input->converter,
     };
     /* Magnification from distance or as given; 0 where neither is. */
     struct conjugates c;
@@ -153,8 +173,8 @@ static bool equivalent_answer(const void *data, const struct photo_lens *lens, s
         !sharpness_resolve_in(&sharp, lens->wavelength,
                               diffracting_fnumber(lens->N, row.setting.m, lens->P), &row.setting.c,
                               error) ||
-        !equivalent_ratio(&input->sharp.sensor.size, &input->to.size,
-                          (enum equivalent_measure)input->by, &k, error) ||
+        !equivalent_ratio(&sharp.sensor.size, &input->to.size, (enum equivalent_measure)input->by,
+                          &k, error) ||
         !equivalent_compute(&row.setting, k, (enum equivalent_keep)input->keep, &row.equal,
                             error)) {
         return false;
@@ -191,6 +211,7 @@ static const struct explanation explanations[] = {
 
 static const struct example examples[] = {
     {"equivalent -f 50 -N 1.8 --sensor 4/3", "what a lens on Four Thirds does on 35 mm film"},
+    {"equivalent -f 300 -N 4 --converter 2x --crop 1.5", "a teleconverter on a crop camera"},
     {"equivalent -f 80 -N 2.8 --sensor 6x6 --to 35mm,aps-c,4/3", "several formats at once"},
     {"equivalent -f 23 -N 2 --sensor aps-c --keep exposure", "with the exposure kept"},
     {"equivalent --lens canon-nfd-70-210 --position all --to aps-c", "a real zoom lens"},

@@ -1,5 +1,7 @@
 /* commands/photo/cmd_fov.c - lenscalc fov: field of view. */
 /* SPDX-License-Identifier: MIT */
+#include "commands/photo/attachments.h"
+#include "commands/photo/crop.h"
 #include "commands/photo/fov_question.h"
 #include "commands/tables.h"
 
@@ -28,6 +30,8 @@ static const struct option options[] = {
     {ASKED(projection), REPEATED("projection"), .words = fov_ways, .fallback = "auto",
      .value = "KIND", .help = "how the lens maps angles"},
     OPTION_PUPIL_OF_LENS(lens.pupil, "distance|magnification|lens"),
+    OPTION_CONVERTER_ALONE(converter, "exact focus-by gap"),
+    OPTION_CROP(crop),
     OPTION_SQUEEZE(squeeze, "1", "anamorphic squeeze: 2 doubles the width that is seen"),
     {MEASURE(horizontal, angle, "deg", "ANGLE"), REPEATED("horizontal"),
      .quantity = "horizontal angle of view", .lowest = 0, .highest = 2 * PI,
@@ -66,7 +70,10 @@ static const struct option options[] = {
 static const struct column columns[] = {
     PHOTO_LENS_COLUMNS(real),
     PHOTO_LENS_WAVELENGTH_COLUMN(real),
-    COLUMN_FOCAL(setting.f, COLUMN_BRIEF),
+    {LENGTH(setting.f, "mm"), .name = "combined_focal", BRIEF_WITH("converter"), .symbol = "f",
+     .label = "combined focal length", .help = "focal length of lens and converter"},
+    COLUMN_FOCAL(focal, COLUMN_BRIEF),
+    COLUMN_CONVERTER(converter),
     {LENGTH(setting.s, "m"), .name = "distance", .flags = COLUMN_ECHO | COLUMN_INFINITE,
      .symbol = "s", .with = "distance", .label = "focused at",
      .help = "distance the lens is focused at, from the front principal plane"},
@@ -165,6 +172,7 @@ static const struct explanation explanations[] = {
 
 static const struct example examples[] = {
     {"fov -f 24mm --sensor aps-c", "a lens on a crop sensor"},
+    {"fov -f 300mm --converter 2x --crop 1.5", "a long lens with a teleconverter on it"},
     {"fov -f 14,20,24,28,35,50,85,135,200", "the classes of lenses on 35 mm film"},
     {"fov -f 100mm -s 40cm", "how much is in the picture close up"},
     {"fov -f 100mm -m 1:2", "or at half life size"},

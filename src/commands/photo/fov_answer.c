@@ -2,12 +2,15 @@
 /* SPDX-License-Identifier: MIT */
 #include "analysis/rays/angle_of_view.h"
 #include "commands/lens/focus_gaps.h"
+#include "commands/photo/attachments.h"
+#include "commands/photo/crop.h"
 #include "commands/photo/fov_question.h"
 
 #include <math.h>
 
 const struct word fov_ways[] = {
-    [VIEW_AUTO] = {"auto", "chief-rays with --lens, unless --pupil is given; else rectilinear"},
+    [VIEW_AUTO] = {"auto", "chief-rays with --lens, unless --pupil or --converter is given; else "
+                           "rectilinear"},
     [VIEW_RAYS] = {"chief-rays", "the exact chief rays of --lens"},
     {"rectilinear", "f tan t: straight lines stay straight"},
     {"equidistant", "f t: image height in proportion to the angle"},
@@ -26,7 +29,8 @@ static void fov_warn(struct fov_row *row, const char *warning, struct arena *are
 static bool wants_rays(const struct fov_input *input, const struct photo_lens *lens)
 {
     return input->projection == VIEW_RAYS ||
-           (input->projection == VIEW_AUTO && lens->lens != NULL && isnan(input->lens.pupil));
+           (input->projection == VIEW_AUTO && lens->lens != NULL && isnan(input->lens.pupil) &&
+            isnan(input->converter));
 }
 
 /* What the exact chief rays of the real lens make of it, the film so far behind H'. */
@@ -91,10 +95,10 @@ static bool view_by_rays(const struct fov_input *input, const struct photo_lens 
     if (lens->lens == NULL) {
         return fail(error, ERROR_USAGE, "{--projection} chief-rays needs {--lens}");
     }
-    if (!isnan(input->lens.pupil)) {
-        return fail(
-            error, ERROR_USAGE,
-            "{--projection} chief-rays goes by the lens's own pupils: it excludes {--pupil}");
+    if (!isnan(input->lens.pupil) || !isnan(input->converter)) {
+        return fail(error, ERROR_USAGE,
+                    "{--projection} chief-rays goes by the lens's own rays: it excludes {--%s}",
+                    isnan(input->converter) ? "pupil" : "converter");
     }
     if (!trace_view(input, lens, row->setting.s, row->image, arena, &view, error)) {
         return false;
@@ -183,10 +187,20 @@ static bool fill_ground(const struct fov_input *input, struct fov_row *row, stru
     return fov_ground(&row->setting, &row->fov, row->pitch, &row->ground, error);
 }
 
-static bool fov_answer(const void *data, const struct photo_lens *lens, struct run *run,
+static bool fov_answer(const void *data, const struct photo_lens *bare, struct run *run,
                        struct error *error)
 {
-    const struct fov_input *input = data;
+    struct fov_input own = *(const struct fov_input *)data;
+    const struct fov_input *input = &own;
+    const struct attachments attachments = {NAN, NAN, input->converter};
+    const struct sensor_value whole = own.sensor;
+    struct photo_lens room;
+    struct attached_lens attached;
+    if (!crop_sensor(&whole, input->crop, run->arena, &own.sensor, error) ||
+        !attachments_apply(&attachments, bare, &room, &attached, error)) {
+        return false;
+    }
+    const struct photo_lens *lens = attached.lens;
     bool chosen = input->projection >= VIEW_PROJECTIONS;
     struct fov_row row = {
         .setting = {(enum projection)(chosen ? input->projection - VIEW_PROJECTIONS : RECTILINEAR),
@@ -200,7 +214,9 @@ static bool fov_answer(const void *data, const struct photo_lens *lens, struct r
         .breathing = NAN,
         .real = *lens->real,
         .rays = by_rays_none,
+        .converter = input->converter,
     };
+    row.real.hiatus = lens->measuring.hiatus;
     if (!find_subject(input, lens, &row.setting.s, error) ||
         !photo_lens_check_subject(lens, row.setting.s, error)) {
         return false;
@@ -212,6 +228,7 @@ static bool fov_answer(const void *data, const struct photo_lens *lens, struct r
         !fov_compute(&row.setting, &input->sensor.size, &row.fov, error)) {
         return false;
     }
+    row.focal = isnan(input->converter) ? row.setting.f : attached.focal;
     row.image = distance_image(row.setting.f, row.setting.s);
     if (input->position != NULL) {
         row.real.position = input->position;

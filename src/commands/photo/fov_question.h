@@ -23,6 +23,7 @@ struct fov_input {
     double horizontal, vertical, diagonal;            /* wanted angles, rad */
     double field_width, field_height, field_diagonal; /* wanted fields, mm */
     double altitude, gsd, pitch;                      /* of a camera in the air, mm */
+    double converter, crop;                           /* factors */
     int focus_by;
     const char *gap;
     /* of a lens that is focused by its gaps, as it stands for infinity, and its position */
@@ -33,6 +34,7 @@ struct fov_input {
 struct fov_row {
     struct fov_setting setting;
     struct fov fov;
+    double focal, converter; /* of the lens alone, mm; the converter's factor */
     double magnification, width, height, crop, image, sensor_distance, circle, pitch;
     struct fov_ground ground;
     double breathing; /* NaN: not asked for */

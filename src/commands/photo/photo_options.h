@@ -152,7 +152,7 @@ bool coc_is_print(const struct coc_value *coc);
           .help = "size on the sensor over size of the subject")
 
 #define COLUMN_SENSOR(member)                                                                      \
-    ENTRY(SHOWN(member), .name = "sensor", ASSUMED_BY("sensor"), .help = "format or camera")
+    ENTRY(SHOWN(member), .name = "sensor", ASSUMED_BY("sensor crop"), .help = "format or camera")
 
 #define COLUMN_PUPIL(member)                                                                       \
     ENTRY(                                                                                         \

@@ -42,7 +42,7 @@ struct sharpness {
 /* The circle of confusion; `wishes` is SHARPNESS_WISHES where the command has them, else "". */
 #define COLUMN_COC(member, more, wishes)                                                           \
     ENTRY(LENGTH(member, "mm"), .name = "coc", .flags = COLUMN_ASSUMED | (more), .symbol = "c",    \
-          .depends = "coc sensor pitch print viewing acuity wavelength" wishes,                    \
+          .depends = "coc sensor crop pitch print viewing acuity wavelength" wishes,               \
           .label = "circle of confusion", .help = "circle of confusion, diameter on the sensor")
 
 #define COLUMN_CRITERION(member)                                                                   \
