@@ -206,6 +206,12 @@ static double ground_across(double altitude, double angle)
     return angle < PI ? 2 * altitude * tan(angle / 2) : (double)INFINITY;
 }
 
+double fov_scale(const struct fov_setting *setting)
+{
+    const double m = setting->f / (setting->s - setting->f);
+    return setting->f * (1 + m / setting->P);
+}
+
 bool fov_ground(const struct fov_setting *setting, const struct fov *fov, double pitch,
                 struct fov_ground *ground, struct error *error)
 {
@@ -221,8 +227,7 @@ bool fov_ground(const struct fov_setting *setting, const struct fov *fov, double
     if (!given_positive(numbers, 3, error)) {
         return false;
     }
-    double m = setting->f / (setting->s - setting->f);
-    double scale = setting->f * (1 + m / setting->P);
+    const double scale = fov_scale(setting);
     if (is_given(ground->sample)) {
         ground->altitude = ground->sample * (scale / pitch);
     } else {

@@ -110,6 +110,16 @@ bool fov_focal_length(const struct fov_setting *setting, double dimension, doubl
 bool fov_focal_length_for_field(double dimension, double field, double s, double *f,
                                 struct error *error);
 
+/*
+ * Scale of the image in the middle of the picture: mm for each radian.
+ *
+ * Given     setting  complete
+ * Formula   f' = f (1 + m/P), m = f/(s - f), of every projection of this file; a pixel of the
+ *           pitch p subtends p/f': 206.265 p(um)/f'(mm) arcsec
+ * Source    the definitions of the projections
+ */
+double fov_scale(const struct fov_setting *setting);
+
 /* What the picture shall show; NaN = not asked for. Angles rad, fields at setting.s mm. */
 struct fov_goals {
     double horizontal, vertical, diagonal;

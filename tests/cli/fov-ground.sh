@@ -6,7 +6,7 @@ lenscalc fov -f 50mm --sensor "Nikon D850" --altitude 120 --columns gsd,ground_w
 lenscalc fov -f 8.8mm --sensor 13.2x8.8mm --altitude 60,120
 lenscalc fov --lens fisheye-16 --altitude 100 --pitch 4um --json --columns gsd_cm
 lenscalc fov -f 8.8mm --csv --columns altitude_m,gsd_cm,ground_width_m,pitch_um
-for wrong in "--gsd 2" "--pitch 3um" "--pitch 3um --gsd 2cm --altitude 3m" "--altitude 0" \
+for wrong in "--gsd 2" "--pitch 3um --gsd 2cm --altitude 3m" "--altitude 0" \
     "--altitude 50 --pitch 3mm"; do
     lenscalc fov -f 8.8mm --columns gsd $wrong
     echo "status $?"

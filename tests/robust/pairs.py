@@ -137,7 +137,7 @@ VALUES = {
     "height/motion": "0.5m", "temperature": "30C", "pressure": "900hPa", "method": "geometric",
     "size": "48", "size/psf": "48", "rays": "30", "points": "5", "energy": "80%", "aim": "entrance",
     "pattern": "hexapolar", "scale/convert": "2", "pitch/psf": "1um", "pitch/render": "3um", "stop-diameter": "9mm",
-    "pitch/stars": "5um", "time/bracket": "1/30", "shots/timelapse": "300",
+    "pitch/stars": "5um", "subject-angle": "40arcsec", "time/bracket": "1/30", "shots/timelapse": "300",
     "solution": "second", "lens-file": "single.lens", "pupil-point": "0.3:0.5", "pupil-x": "0.3",
     "pupil-y": "0.5", "point": "0:6:-20", "direction": "0:0.1:1", "x": "1mm", "y": "2mm",
     "z": "-20mm", "cos-x": "0.1", "cos-y": "0.1", "cos-z": "0.9", "side": "exit", "outline": "5",

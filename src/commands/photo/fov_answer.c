@@ -170,12 +170,14 @@ static bool fill_ground(const struct fov_input *input, struct fov_row *row, stru
 {
     const struct sharpness pixels = {.sensor = input->sensor, .pitch = input->pitch};
     row->ground = (struct fov_ground){input->altitude, input->gsd, NAN, NAN};
-    row->pitch = NAN;
+    row->pitch = sharpness_pitch(&pixels);
+    if (run_shows(run, offsetof(struct fov_row, sky.scale)) ||
+        run_shows(run, offsetof(struct fov_row, ground.sample))) {
+        sharpness_doubt_pitch(&pixels, run->doubts);
+    }
     if (isnan(input->altitude) && isnan(input->gsd)) {
         return true;
     }
-    row->pitch = sharpness_pitch(&pixels);
-    sharpness_doubt_pitch(&pixels, run->doubts);
     if (isnan(row->pitch) && !isnan(input->gsd)) {
         return fail(error, ERROR_USAGE,
                     "{--gsd} needs the pixel pitch: give {--pitch}, or a camera as {--sensor}");
@@ -236,7 +238,8 @@ static bool fov_answer(const void *data, const struct photo_lens *bare, struct r
     if ((input->lens.rays.exact &&
          !place_film(input, lens, &row.setting.s, run, &row.image, &row.rays, error)) ||
         (wants_rays(input, lens) && !look_by_rays(input, lens, run, &row, error)) ||
-        !fill_ground(input, &row, run, error)) {
+        !fill_ground(input, &row, run, error) ||
+        !sky_fill(&input->sky, &row.setting, &input->sensor.size, row.pitch, &row.sky, error)) {
         return false;
     }
     row.magnification = row.setting.f / (row.setting.s - row.setting.f);

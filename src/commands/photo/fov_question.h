@@ -6,6 +6,7 @@
 #include "commands/photo/by_rays.h"
 #include "commands/photo/photo_lens.h"
 #include "commands/photo/sharpness.h"
+#include "commands/photo/sky_subject.h"
 #include "photo/fov.h"
 
 /* How angles are found: by the lens's rays, or a projection of photo/fov.h behind them. */
@@ -22,8 +23,10 @@ struct fov_input {
     int projection;
     double horizontal, vertical, diagonal;            /* wanted angles, rad */
     double field_width, field_height, field_diagonal; /* wanted fields, mm */
-    double altitude, gsd, pitch;                      /* of a camera in the air, mm */
+    double pitch;                                     /* mm */
+    double altitude, gsd;                             /* of a camera in the air, mm */
     double converter, crop;                           /* factors */
+    struct sky_question sky;
     int focus_by;
     const char *gap;
     /* of a lens that is focused by its gaps, as it stands for infinity, and its position */
@@ -37,6 +40,7 @@ struct fov_row {
     double focal, converter; /* of the lens alone, mm; the converter's factor */
     double magnification, width, height, crop, image, sensor_distance, circle, pitch;
     struct fov_ground ground;
+    struct sky_row sky;
     double breathing; /* NaN: not asked for */
     struct photo_real real;
     struct by_rays_row rays;

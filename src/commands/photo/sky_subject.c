@@ -1,0 +1,25 @@
+/* commands/photo/sky_subject.c - pixels against the sky, and the images of what is there. */
+/* SPDX-License-Identifier: MIT */
+#include "commands/photo/sky_subject.h"
+
+bool sky_fill(const struct sky_question *question, const struct fov_setting *setting,
+              const struct sensor *sensor, double pitch, struct sky_row *row, struct error *error)
+{
+    const bool has_subject = question->subject > 0;
+    *row = (struct sky_row){pitch / fov_scale(setting), question->angle, NAN, NAN, NAN, NULL};
+    if (has_subject) {
+        row->subject = sky_objects[question->subject].word;
+    }
+    if (has_subject && isnan(row->angle)) {
+        row->angle = sky_angle(question->subject);
+    }
+    if (isnan(row->angle)) {
+        return true;
+    }
+    if (!sky_image(setting, row->angle, &row->image, error)) {
+        return false;
+    }
+    row->pixels = row->image / pitch;
+    row->part = row->image / sensor->height;
+    return true;
+}

@@ -1,0 +1,73 @@
+/* commands/photo/sky_subject.h - pixels against the sky, and the images of what is there. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_COMMANDS_PHOTO_SKY_SUBJECT_H
+#define LENSCALC_COMMANDS_PHOTO_SKY_SUBJECT_H
+
+#include "commands/tables.h"
+#include "photo/sky_object.h"
+
+/* What is looked at. */
+struct sky_question {
+    int subject;  /* place in sky_objects; 0 = none */
+    double angle; /* rad; NaN = that of the subject */
+};
+
+struct sky_row {
+    double scale;  /* angle of a pixel, rad; NaN where no pitch is known */
+    double angle;  /* of the subject; NaN = there is none, as in the next */
+    double image;  /* its length, mm */
+    double pixels; /* the same in pixels */
+    double part;   /* the same over the height of the sensor */
+    const char *subject;
+};
+
+/* The options that bring a pixel's angle, among which a camera is one. */
+#define SKY_NAMES "pitch subject subject-angle"
+
+#define SKY_OPTIONS(member)                                                                        \
+    ENTRY(ASKED(member.subject), REPEATED("subject"), .words = sky_objects, .fallback = "none",    \
+          .value = "OBJECT", .help = "what is looked at in the sky: adds the size of its image"),  \
+        ENTRY(MEASURE(member.angle, angle, "arcmin", "ANGLE"), .name = "subject-angle",            \
+              .column = "subject_angle", .lowest = 0, .highest = PI, .flags = OPTION_ABOVE_LOWEST, \
+              .help = "angle that the subject subtends, in place of that of --subject")
+
+#define SKY_COLUMNS(member)                                                                        \
+    ENTRY(MEASURED(member.scale, angle, "arcsec"), .name = "pixel_scale",                          \
+          BRIEF_WITH(SKY_NAMES " sensor") | COLUMN_SPARSE, .symbol = "ps",                         \
+          .when = "with --pitch, or a camera of known pixels", .label = "angle of a pixel",        \
+          .help = "in the middle of the picture"),                                                 \
+        ENTRY(SHOWN(member.subject), .name = "subject", ECHO_WITH("subject") | COLUMN_BRIEF,       \
+              .help = "what is looked at in the sky"),                                             \
+        ENTRY(MEASURED(member.angle, angle, "arcmin"), .name = "subject_angle",                    \
+              WITH("subject subject-angle"), .symbol = "su", .label = "angle of the subject",      \
+              .help = "as given, else of --subject along its longer axis"),                        \
+        ENTRY(LENGTH(member.image, "mm"), .name = "subject_image",                                 \
+              BRIEF_WITH("subject subject-angle"), .symbol = "im",                                 \
+              .label = "image of the subject", .help = "on the sensor"),                           \
+        ENTRY(SHOWN(member.pixels), .name = "subject_pixels",                                      \
+              BRIEF_WITH("subject subject-angle") | COLUMN_SPARSE,                                 \
+              .when = "with --pitch, or a camera of known pixels", .label = "in pixels",           \
+              .help = "image of the subject over pixel pitch"),                                    \
+        ENTRY(MEASURED(member.part, ratio, "percent"), .name = "subject_height",                   \
+              WITH("subject subject-angle"), .label = "of the picture's height",                   \
+              .help = "image of the subject over the height of the sensor")
+
+#define SKY_EXPLANATIONS                                                                           \
+    {"pixel_scale", "ps = {p}/({f} (1 + {m}/{P}))",                                                \
+     "206.265 p/f arcsec for p in um and f in mm, far away", "in the middle of the picture"},      \
+    {                                                                                              \
+        "subject_image projection=rectilinear", "im = 2 {f} (1 + {m}/{P}) tan({su}/2)",            \
+            "definition of the projection", "in the middle of the picture"                         \
+    }
+
+/*
+ * Pixels and subject against the sky.
+ *
+ * Given     setting  complete; its projection is that of photo/fov.h even where rays found angles
+ *           pitch    mm, or NaN
+ * Errors    as sky_image
+ */
+bool sky_fill(const struct sky_question *question, const struct fov_setting *setting,
+              const struct sensor *sensor, double pitch, struct sky_row *row, struct error *error);
+
+#endif
