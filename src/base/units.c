@@ -146,6 +146,16 @@ static const struct unit frequency_units[] = {
 static const struct unit rate_units[] = {
     {"fps", "fps", {1, 0}, 1, NULL, "frame per second"},
     {"Hz", "Hz", {1, 0}, 1, "hz", "per second"},
+    {"kHz", "kHz", {1, 3}, 1, "khz", "thousand per second"},
+};
+
+/* Pixels along a length of the subject. */
+static const struct unit pixel_density_units[] = {
+    {"px_mm", "px/mm", {1, 0}, 1, "px/mm pixel/mm pixels/mm", "pixel per millimetre"},
+    {"px_m", "px/m", {1, -3}, 1, "px/m pixel/m pixels/m ppm PPM", "pixel per metre"},
+    {"px_cm", "px/cm", {1, -1}, 1, "px/cm", "pixel per centimetre"},
+    {"px_in", "px/in", {1, 0}, 1 / 25.4, "px/in ppi", "pixel per inch"},
+    {"px_ft", "px/ft", {1, 0}, 1 / 304.8, "px/ft ppf PPF", "pixel per foot"},
 };
 
 static const struct unit temperature_units[] = {
@@ -213,6 +223,8 @@ const struct dimension dimension_rotation = {.name = "rate of rotation", UNITS(r
 const struct dimension dimension_frequency = {.name = "spatial frequency", UNITS(frequency_units)};
 const struct dimension dimension_rate = {.name = "frame rate", UNITS(rate_units)};
 
+const struct dimension dimension_pixel_density = {.name = "pixel density",
+                                                  UNITS(pixel_density_units)};
 const struct dimension dimension_temperature = {.name = "temperature", UNITS(temperature_units)};
 const struct dimension dimension_pressure = {.name = "pressure", UNITS(pressure_units)};
 const struct dimension dimension_storage = {.name = "amount of data", UNITS(storage_units)};
@@ -239,6 +251,7 @@ const struct dimension *const dimensions[] = {
     &dimension_rotation,
     &dimension_frequency,
     &dimension_rate,
+    &dimension_pixel_density,
     &dimension_temperature,
     &dimension_pressure,
     &dimension_storage,

@@ -149,57 +149,6 @@ bool fov_focal_length_for_field(double dimension, double field, double s, double
            check_positive("distance", " mm", s, error);
 }
 
-/* One goal and the sensor dimension it belongs to. */
-struct goal {
-    double wanted, dimension;
-    bool is_field;
-};
-
-static bool solve_goal(const struct fov_setting *a, const struct goal *goal, double *f,
-                       struct error *error)
-{
-    if (!goal->is_field) {
-        return fov_focal_length(a, goal->dimension, goal->wanted, f, error);
-    }
-    if (a->projection != RECTILINEAR || !(a->s < INFINITY)) {
-        return fail(error, ERROR_DOMAIN,
-                    "a wanted field needs a rectilinear lens and a finite {distance}");
-    }
-    return fov_focal_length_for_field(goal->dimension, goal->wanted, a->s, f, error);
-}
-
-bool fov_solve(const struct fov_setting *setting, const struct sensor *sensor,
-               const struct fov_goals *goals, double *f, struct error *error)
-{
-    if (!sensor_check(sensor, error) || !check_positive("squeeze", "", setting->squeeze, error)) {
-        return false;
-    }
-    struct sensor wide = *sensor;
-    wide.width *= setting->squeeze;
-    double diagonal = sensor_diagonal(&wide);
-    const struct goal all[] = {
-        {goals->horizontal, wide.width, false},   {goals->vertical, wide.height, false},
-        {goals->diagonal, diagonal, false},       {goals->field_width, wide.width, true},
-        {goals->field_height, wide.height, true}, {goals->field_diagonal, diagonal, true},
-    };
-    const struct goal *found = NULL;
-    int count = 0;
-    for (size_t i = 0; i < sizeof all / sizeof all[0]; i++) {
-        if (!isnan(all[i].wanted)) {
-            found = &all[i];
-            count++;
-        }
-    }
-    if (count + !isnan(setting->f) != 1) {
-        return fail(error, ERROR_USAGE,
-                    "give exactly one of {focal length}, {horizontal angle of view}, {vertical "
-                    "angle of view}, {diagonal angle of view}, {width of the field}, {height of "
-                    "the field}, {diagonal of the field}");
-    }
-    *f = setting->f;
-    return found == NULL || solve_goal(setting, found, f, error);
-}
-
 /* On level ground, straight below. */
 static double ground_across(double altitude, double angle)
 {

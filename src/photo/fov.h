@@ -120,24 +120,6 @@ bool fov_focal_length_for_field(double dimension, double field, double s, double
  */
 double fov_scale(const struct fov_setting *setting);
 
-/* What the picture shall show; NaN = not asked for. Angles rad, fields at setting.s mm. */
-struct fov_goals {
-    double horizontal, vertical, diagonal;
-    double field_width, field_height, field_diagonal;
-};
-
-/*
- * The focal length of a setting: its own, or the one that reaches a goal.
- *
- * Given     setting  f may be NaN, then exactly one goal is given
- *           sensor   checked here
- * Result    f        mm
- * Errors    ERROR_USAGE: neither or both of focal length and goal, or two goals; ERROR_DOMAIN: a
- *           field without a finite distance or with a fisheye; as fov_focal_length
- */
-bool fov_solve(const struct fov_setting *setting, const struct sensor *sensor,
-               const struct fov_goals *goals, double *f, struct error *error);
-
 /* What a camera above level ground that looks straight down sees of it; lengths in mm. */
 struct fov_ground {
     double altitude;      /* of the entrance pupil above the ground */

@@ -391,9 +391,10 @@ const char *report_subtitle(const struct report *report, const struct selection 
         const struct column *column = &report->sheet->columns[i];
         struct shown shown;
         struct error ignored;
-        bool given = (column->flags & COLUMN_ECHO) != 0 && column->with != NULL &&
-                     selection->given(selection->asked, column->with) &&
-                     !selection->varied(selection->asked, column->with);
+        const char *option = column->repeats != NULL ? column->repeats : column->with;
+        bool given = (column->flags & COLUMN_ECHO) != 0 && option != NULL &&
+                     selection->given(selection->asked, option) &&
+                     !selection->varied(selection->asked, option);
         if (given && report_find_column(report->sheet, text_of(column->name), report->arena, &shown,
                                         &ignored)) {
             line = add_words(report, line, &shown, row);

@@ -127,6 +127,8 @@ IDLE = (
     ("timelapse --shots 9 --interval 5", "--gap 2", "--gap needs --time", "-t 2"),
     ("timelapse --shots 9 --interval 5 -t 2", "--declination 9", "--declination needs --focal-length",
      "-f 24"),
+    ("fov -f 50 -s 3", "-v 2m/s", "--speed needs --line-scan", "--line-scan --pitch 7um"),
+    ("fov -f 50 --sensor imx264", "--dori --task detect", "exclude each other", None),
     ("stars -f 24 -N 2.8", "--trail 10um --coc 0.02", "--trail and --coc exclude", None),
     ("stars -f 24 -N 2.8", "-w 500", "--wavelength needs", "--trail airy"),
     ("draw double-gauss --no-rays", "--field 5", "--no-rays and --field exclude", None),

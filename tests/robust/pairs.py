@@ -17,7 +17,8 @@ PHOTOGRAPHIC = {
     "dof": ("-f 50 -N 5.6 -s 3", "-f 50 -N 5.6", "--lens double-gauss -N 8 -s 3",
             "-f 100 -N 8 --near 30cm --far 35cm --stack", "-f 100 -N 8 -m 1:1 --dof 9mm --stack"),
     "hyperfocal": ("-f 50 -N 5.6", "-f 50", "--lens double-gauss -N 8"),
-    "fov": ("-f 50 -s 3", "-s 3", "-f 24 --altitude 50m --sensor 1in", "--lens double-gauss -s 3"),
+    "fov": ("-f 50 -s 3", "-s 3", "-f 24 --altitude 50m --sensor 1in", "--lens double-gauss -s 3",
+            "-f 50 --sensor imx264", "--line-scan --pixels 4096 --pitch 7um -f 50 -s 1"),
     "focus": ("-f 50 -s 3 -N 5.6", "-f 50 -N 4", "--lens double-gauss -s 3", "-f 100 --stacked 50"),
     "exposure": ("-N 5.6 -t 1/60 --iso 200", "-N 5.6 --iso 200 --ev 12", "-N 5.6 -t 1/60"),
     "flash": ("-g 36 -N 5.6", "-g 36 -s 4", "-N 5.6 -s 4"),
@@ -129,6 +130,7 @@ VALUES = {
     "event": "2h", "interval": "3s", "clip": "20s", "frame-size": "30MB", "card": "64GB",
     "star-angle": "20deg", "film/diffraction": "60", "to/equivalent": "1in", "image/tilt": "100mm",
     "from/bracket": "15s", "gap/timelapse": "2s", "angle/tilt": "60deg", "focal-length/tilt": "120mm",
+    "pixels/fov": "3000x2000", "density": "100px/m", "task": "observe", "line-rate": "20kHz",
     "pixels/panorama": "6000", "horizontal/panorama": "60deg", "vertical/panorama": "40deg",
     "before": "1.33", "after": "1.6", "radius": "40mm", "object": "2m", "height-at": "5mm",
     "object/refract": "-150mm", "r1": "40mm", "r2": "-60mm", "index": "1.6", "thickness": "6mm",
@@ -208,6 +210,8 @@ EXEMPT = (
     ("dof", "overlap", None, "so few shots may be the same for both"),
     ("panorama", "pupil", "each-row", "frames focused at infinity do not depend on it"),
     ("panorama", "tolerance", "near", "an angle alone where pixels are not known, with --offset"),
+    ("fov", "field-width", "field-diagonal", "of several fields the largest counts"),
+    ("fov", "field-diagonal", "field-height", "the same"),
     ("focus", "converter-length", "converter", "it shows in distances, where these are known"),
 )
 

@@ -3,7 +3,7 @@
 #include "base/constants.h"
 #include "photo/equivalent.h"
 #include "photo/format.h"
-#include "photo/fov.h"
+#include "photo/fov_solve.h"
 #include "photo/motion.h"
 #include "ranges.h"
 
@@ -18,6 +18,7 @@ static const double pi = PI;
                          .field_width = NAN,                                                       \
                          .field_height = NAN,                                                      \
                          .field_diagonal = NAN,                                                    \
+                         .pixel = NAN,                                                             \
                          __VA_ARGS__})
 #define MOTION(...)                                                                                \
     (&(struct motion){.v = NAN,                                                                    \
@@ -83,46 +84,133 @@ static void test_fov(void)
             "anamorphic squeeze 0 must be above 0 and finite");
 }
 
-/* Each goal finds the focal length that reaches it; 36 x 27 mm has a diagonal of 45 mm. */
+/* What a lens on 36 x 27 mm, with a diagonal of 45 mm, becomes of its goals. */
+static bool solved(const struct fov_setting *setting, const struct fov_goals *goals,
+                   struct fov_problem *problem, struct error *failure)
+{
+    *problem = (struct fov_problem){*setting, {36, 27, 0.01}, false, *goals, FOV_GIVEN, NULL};
+    return fov_solve(problem, failure);
+}
+
+/* Each goal finds the focal length that reaches it. */
 static void test_fov_goals(void)
 {
-    const struct sensor sensor = {.width = 36, .height = 27, .pitch = NAN};
     struct fov_setting far = {RECTILINEAR, NAN, INFINITY, 1, 1},
                        near = {RECTILINEAR, NAN, 1000, 1, 1};
     const struct fov_setting wide = {RECTILINEAR, NAN, INFINITY, 1, 5.0 / 3};
     static const double right = PI / 2;
-    double f = 0;
-    INSIDE(fov_solve(&far, &sensor, GOALS(.horizontal = right), &f, &error));
-    CHECK_RELATIVE(f, 18.0, 1e-15, "90 deg: half the width");
-    INSIDE(fov_solve(&wide, &sensor, GOALS(.horizontal = right), &f, &error));
-    CHECK_RELATIVE(f, 30.0, 1e-15, "half the squeezed width");
-    INSIDE(fov_solve(&far, &sensor, GOALS(.vertical = right), &f, &error));
-    CHECK_RELATIVE(f, 13.5, 1e-15, "half the height");
-    INSIDE(fov_solve(&far, &sensor, GOALS(.diagonal = right), &f, &error));
-    CHECK_RELATIVE(f, 22.5, 1e-15, "half the diagonal");
-    INSIDE(fov_solve(&near, &sensor, GOALS(.field_width = 964), &f, &error));
-    CHECK_RELATIVE(f, 36.0, 1e-15, "s w/(W + w)");
-    INSIDE(fov_solve(&near, &sensor, GOALS(.field_height = 973), &f, &error));
-    CHECK_RELATIVE(f, 27.0, 1e-15, "s w/(W + w)");
-    INSIDE(fov_solve(&near, &sensor, GOALS(.field_diagonal = 955), &f, &error));
-    CHECK_RELATIVE(f, 45.0, 1e-15, "s w/(W + w)");
+    struct fov_problem a;
+    INSIDE(solved(&far, GOALS(.horizontal = right), &a, &error));
+    CHECK_RELATIVE(a.setting.f, 18.0, 1e-15, "90 deg: half the width");
+    CHECK_TEXT(a.by, "horizontal angle");
+    INSIDE(solved(&wide, GOALS(.horizontal = right), &a, &error));
+    CHECK_RELATIVE(a.setting.f, 30.0, 1e-15, "half the squeezed width");
+    INSIDE(solved(&far, GOALS(.vertical = right), &a, &error));
+    CHECK_RELATIVE(a.setting.f, 13.5, 1e-15, "half the height");
+    INSIDE(solved(&far, GOALS(.diagonal = right), &a, &error));
+    CHECK_RELATIVE(a.setting.f, 22.5, 1e-15, "half the diagonal");
+    INSIDE(solved(&near, GOALS(.field_width = 964), &a, &error));
+    CHECK_RELATIVE(a.setting.f, 36.0, 1e-15, "s w/(W + w)");
+    CHECK_TEXT(a.by, "field width");
+    INSIDE(solved(&near, GOALS(.field_height = 973), &a, &error));
+    CHECK_RELATIVE(a.setting.f, 27.0, 1e-15, "s w/(W + w)");
+    INSIDE(solved(&near, GOALS(.field_diagonal = 955), &a, &error));
+    CHECK_RELATIVE(a.setting.f, 45.0, 1e-15, "s w/(W + w)");
+    INSIDE(solved(&near, GOALS(.pixel = 0.24), &a, &error));
+    CHECK_RELATIVE(a.setting.f, 40.0, 1e-15, "s p/(P + p)");
+    CHECK_TEXT(a.by, "pixel density");
     far.f = 50;
-    INSIDE(fov_solve(&far, &sensor, GOALS(.vertical = NAN), &f, &error));
-    CHECK_NEAR(f, 50, 0, "given itself");
+    INSIDE(solved(&far, GOALS(.vertical = NAN), &a, &error));
+    CHECK_NEAR(a.setting.f, 50, 0, "given itself");
+    CHECK(a.by == NULL && a.unknown == FOV_GIVEN);
     const char *one = "give exactly one of focal length, horizontal angle of view, vertical angle "
-                      "of view, diagonal angle of view, "
-                      "width of the field, height of the field, diagonal of the field";
-    MISUSED(fov_solve(&far, &sensor, GOALS(.vertical = 1), &f, &error), one);
-    MISUSED(fov_solve(&near, &sensor, GOALS(.vertical = NAN), &f, &error), one);
-    MISUSED(fov_solve(&near, &sensor, GOALS(.vertical = 1, .diagonal = 1), &f, &error), one);
+                      "of view, diagonal angle of view, or a field (width of the field, height of "
+                      "the field, diagonal of the field) with distance or focal length";
+    MISUSED(solved(&far, GOALS(.vertical = 1), &a, &error), one);
+    MISUSED(solved(&near, GOALS(.vertical = NAN), &a, &error), one);
+    MISUSED(solved(&near, GOALS(.vertical = 1, .diagonal = 1), &a, &error), one);
+    MISUSED(solved(&near, GOALS(.vertical = 1, .field_width = 1), &a, &error), one);
     far.f = NAN;
-    const char *field = "a wanted field needs a rectilinear lens and a finite distance";
-    OUTSIDE(fov_solve(&far, &sensor, GOALS(.field_width = 100), &f, &error), field);
+    MISUSED(solved(&far, GOALS(.field_width = 100), &a, &error),
+            "a wanted field needs focal length or a finite distance");
     near.projection = EQUIDISTANT;
-    OUTSIDE(fov_solve(&near, &sensor, GOALS(.field_width = 100), &f, &error), field);
+    OUTSIDE(solved(&near, GOALS(.field_width = 100), &a, &error),
+            "a wanted field needs a rectilinear lens");
     near.squeeze = 0;
-    OUTSIDE(fov_solve(&near, &sensor, GOALS(.vertical = 1), &f, &error),
+    OUTSIDE(solved(&near, GOALS(.vertical = 1), &a, &error),
             "squeeze 0 must be above 0 and finite");
+}
+
+/* And the distance, where the focal length is given; of several fields all are in the picture. */
+static void test_fov_distance(void)
+{
+    struct fov_setting lens = {RECTILINEAR, 50, INFINITY, 1, 1};
+    struct fov_problem a;
+    INSIDE(solved(&lens, GOALS(.field_width = 36), &a, &error));
+    CHECK_NEAR(a.setting.s, 100, 0, "1:1: 2 f, where f W/w has f");
+    CHECK(a.unknown == FOV_DISTANCE);
+    INSIDE(solved(&lens, GOALS(.field_width = 360, .field_height = 540), &a, &error));
+    CHECK_RELATIVE(a.setting.s, 1050.0, 1e-15, "f (1 + 540/27)");
+    CHECK_TEXT(a.by, "field height");
+    INSIDE(solved(&lens, GOALS(.field_width = 720, .field_height = 270), &a, &error));
+    CHECK_RELATIVE(a.setting.s, 1050.0, 1e-15, "f (1 + 720/36)");
+    CHECK_TEXT(a.by, "field width");
+    INSIDE(solved(&lens, GOALS(.pixel = 0.2), &a, &error));
+    CHECK_RELATIVE(a.setting.s, 1050.0, 1e-15, "f (1 + 0.2/0.01)");
+    lens.squeeze = 2;
+    INSIDE(solved(&lens, GOALS(.field_width = 720), &a, &error));
+    CHECK_RELATIVE(a.setting.s, 550.0, 1e-15, "f (1 + 720/72)");
+    INSIDE(solved(&lens, GOALS(.pixel = 0.2), &a, &error));
+    CHECK_RELATIVE(a.setting.s, 550.0, 1e-15, "f (1 + 0.2/0.02)");
+    a.sensor.pitch = NAN;
+    a.setting = lens;
+    MISUSED(fov_solve(&a, &error), "pixel density needs pixel pitch or pixels");
+    OUTSIDE(solved(&lens, GOALS(.field_width = 0), &a, &error),
+            "field width 0 mm must be above 0 and finite");
+    lens.f = 0;
+    OUTSIDE(solved(&lens, GOALS(.field_width = 9), &a, &error),
+            "focal length 0 mm must be above 0 and finite");
+}
+
+/* And the sensor, where both are: m = 50/(1050 - 50) = 1/20. */
+static void test_fov_sensor(void)
+{
+    struct fov_problem a = {{RECTILINEAR, 50, 1050, 1, 1},
+                            {36, 24, NAN},
+                            true,
+                            *GOALS(.field_width = 400, .field_height = 100),
+                            FOV_GIVEN,
+                            NULL};
+    const struct fov_problem both = a;
+    INSIDE(fov_solve(&a, &error));
+    CHECK(a.unknown == FOV_SENSOR);
+    CHECK_RELATIVE(a.sensor.width, 20.0, 1e-15, "m W");
+    CHECK_RELATIVE(a.sensor.height, 5.0, 1e-15, "m H");
+    a = both;
+    a.goals.field_height = NAN;
+    INSIDE(fov_solve(&a, &error));
+    CHECK_RELATIVE(a.sensor.width, 20.0, 1e-15, "m W");
+    CHECK_RELATIVE(a.sensor.height, 40.0 / 3, 1e-15, "in the shape of the sensor");
+    a = both;
+    a.goals.field_width = NAN;
+    INSIDE(fov_solve(&a, &error));
+    CHECK_RELATIVE(a.sensor.width, 7.5, 1e-15, "in the shape of the sensor");
+    a = both;
+    a.goals = *GOALS(.field_diagonal = 865.33230611135742); /* 240 sqrt 13 */
+    INSIDE(fov_solve(&a, &error));
+    CHECK_RELATIVE(a.sensor.width, 36.0, 1e-15, "12 sqrt 13 of diagonal");
+    a = both;
+    a.setting.squeeze = 2;
+    INSIDE(fov_solve(&a, &error));
+    CHECK_RELATIVE(a.sensor.width, 10.0, 1e-15, "half by the squeeze");
+    a = both;
+    a.setting.s = 50;
+    OUTSIDE(fov_solve(&a, &error),
+            "distance 50 mm lies within the focal length 50 mm: no real image");
+    a = both;
+    a.sensor_is_open = false;
+    MISUSED(fov_solve(&a, &error), "field, focal length, distance and sensor: three of them give "
+                                   "the fourth, leave one out");
 }
 
 static void test_fov_focal_length(void)
@@ -373,6 +461,8 @@ int main(void)
     test_projections();
     test_fov();
     test_fov_goals();
+    test_fov_distance();
+    test_fov_sensor();
     test_fov_focal_length();
     test_format();
     test_equivalent();

@@ -231,7 +231,7 @@ struct option_kind {
 extern const struct option_kind kind_quantity, kind_focal, kind_choice, kind_flag, kind_text,
     kind_count, kind_sensor, kind_coc, kind_loss, kind_film, kind_scene, kind_series, kind_glass,
     kind_interval, kind_lens, kind_lens_text, kind_wavelength, kind_vector, kind_pupil, kind_plane,
-    kind_target, kind_fields, kind_spectrum, kind_print, kind_part;
+    kind_target, kind_fields, kind_spectrum, kind_print, kind_pixels, kind_part;
 
 /* A sensor as the user named it. */
 struct sensor_value {
@@ -240,6 +240,13 @@ struct sensor_value {
     const char *pitch_note; /* what to know of the pixel pitch; null = nothing */
     bool is_fallback;       /* nobody named it */
     bool is_wide;           /* of a camera whose lens is fixed and wide: phone, drone, action */
+    bool is_optical;        /* an optical format, "1/2.8in": its shape is not sure */
+};
+
+/* Numbers of pixels as the user wrote them; NaN = not given. */
+struct pixels_value {
+    double wide, high; /* "2448x2048", "4096" */
+    double total;      /* of "4Mpx" alone */
 };
 
 /* A print as the user wrote it, mm; NaN = not given. */
@@ -296,6 +303,7 @@ struct coc_value {
         struct fields_value: &kind_fields, \
         struct spectrum_value: &kind_spectrum, \
         struct print_value: &kind_print, \
+        struct pixels_value: &kind_pixels, \
         struct part: &kind_part)
 
 #define OPTION(S, member) .kind = OPTION_KIND(S, member), .offset = offsetof(S, member)

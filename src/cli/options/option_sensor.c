@@ -81,41 +81,6 @@ static bool sensor_size_read(const struct reader *reader, const struct option *o
     return true;
 }
 
-static struct sensor_value name_sensor(const struct reader *reader,
-                                       const struct lensdb_sensor *found)
-{
-    struct sensor_value sensor = {.size = found->size};
-    const char *size = size_name(reader->arena, found->size);
-    sensor.name = arena_printf(reader->arena, "%.*s%s%.*s (%s)", (int)found->maker.length,
-                               found->maker.start, found->maker.length > 0 ? " " : "",
-                               (int)found->name.length, found->name.start, size);
-    /* cameras with a lens that cannot be changed, and that is wide but for the long module of a
-       phone or drone */
-    double equivalent = NAN;
-    struct error ignored;
-    const bool is_long =
-        quantity_read(found->equivalent, &dimension_number, NULL, &equivalent, NULL, &ignored) &&
-        equivalent > NORMAL_LENS;
-    sensor.is_wide =
-        !is_long && (text_equal(found->class, "phone") || text_equal(found->class, "drone") ||
-                     text_equal(found->class, "action"));
-    if (text_equal(found->pitch_from, "estimate")) {
-        sensor.pitch_note = "worked out from an estimated pixel count, good to about 2 %";
-    }
-    return sensor;
-}
-
-/* "35mm (36 x 24 mm)", as it is printed, is read as "35mm". */
-static struct text without_size(struct text text)
-{
-    struct text trimmed = text_trim(text);
-    if (trimmed.length == 0 || trimmed.start[trimmed.length - 1] != ')') {
-        return text;
-    }
-    struct text rest = trimmed;
-    return text_trim(text_cut(&rest, '('));
-}
-
 /* "1/1.8", "2/3": fractions of an inch, as makers of cameras for machines write them. */
 static bool is_inch_fraction(struct text text)
 {
@@ -150,6 +115,42 @@ static struct text inches_of(struct text text)
     return any && rest.length > 0 && char_is_digit(rest.start[0]) ? rest : (struct text){NULL, 0};
 }
 
+static struct sensor_value name_sensor(const struct reader *reader,
+                                       const struct lensdb_sensor *found)
+{
+    struct sensor_value sensor = {.size = found->size};
+    sensor.is_optical = inches_of(found->name).start != NULL;
+    const char *size = size_name(reader->arena, found->size);
+    sensor.name = arena_printf(reader->arena, "%.*s%s%.*s (%s)", (int)found->maker.length,
+                               found->maker.start, found->maker.length > 0 ? " " : "",
+                               (int)found->name.length, found->name.start, size);
+    /* cameras with a lens that cannot be changed, and that is wide but for the long module of a
+       phone or drone */
+    double equivalent = NAN;
+    struct error ignored;
+    const bool is_long =
+        quantity_read(found->equivalent, &dimension_number, NULL, &equivalent, NULL, &ignored) &&
+        equivalent > NORMAL_LENS;
+    sensor.is_wide =
+        !is_long && (text_equal(found->class, "phone") || text_equal(found->class, "drone") ||
+                     text_equal(found->class, "action"));
+    if (text_equal(found->pitch_from, "estimate")) {
+        sensor.pitch_note = "worked out from an estimated pixel count, good to about 2 %";
+    }
+    return sensor;
+}
+
+/* "35mm (36 x 24 mm)", as it is printed, is read as "35mm". */
+static struct text without_size(struct text text)
+{
+    struct text trimmed = text_trim(text);
+    if (trimmed.length == 0 || trimmed.start[trimmed.length - 1] != ')') {
+        return text;
+    }
+    struct text rest = trimmed;
+    return text_trim(text_cut(&rest, '('));
+}
+
 /* An optical format: as the table has it, else by its rule. */
 static bool read_optical(const struct reader *reader, const struct option *option, struct text text,
                          struct sensor_value *sensor, struct error *error)
@@ -174,6 +175,7 @@ static bool read_optical(const struct reader *reader, const struct option *optio
     sensor->name =
         arena_printf(reader->arena, "%s (%.4g x %.4g mm, nominal: 4:3, %d mm of diagonal an inch)",
                      name, sensor->size.width, sensor->size.height, inches >= 0.5 ? 16 : 18);
+    sensor->is_optical = true;
     return true;
 }
 

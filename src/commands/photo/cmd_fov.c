@@ -14,6 +14,10 @@ static const struct word focusings[] = {
     {NULL, NULL},
 };
 
+/* What puts the subject at a finite distance, and what asks for pixels on it. */
+#define FIELDS "field-width field-height field-diagonal density task dori"
+#define NEAR   "distance magnification " FIELDS
+
 #define INPUT struct fov_input
 
 static const struct option options[] = {
@@ -22,7 +26,7 @@ static const struct option options[] = {
     OPTION_WAVELENGTH_OF_LENS(lens.wavelength, "lens"),
     OPTION_SENSOR(sensor),
     {MEASURE(distance, length, "m", "LENGTH"), REPEATED("distance"), .letter = 's',
-     ABOVE_0_OR_INFINITE, .fallback = "inf",
+     ABOVE_0_OR_INFINITE | OPTION_SETTING, .fallback = "inf",
      .help = "distance the lens is focused at; the field there is reported"},
     OPTION_FROM(lens.from, distances_from),
     {MEASURE(magnification, ratio, NULL, "RATIO"), REPEATED("magnification"), .letter = 'm', FROM_0,
@@ -45,25 +49,42 @@ static const struct option options[] = {
      .flags = OPTION_ABOVE_LOWEST | OPTION_GOAL, .help = "wanted diagonal angle"},
     {MEASURE(field_width, length, "m", "LENGTH"), .name = "field-width",
      .quantity = "width of the field", .column = "field_width", ABOVE_0 | OPTION_GOAL,
-     .help = "wanted width of the field at --distance: solves for the focal length"},
+     .help = "wanted width of the field: with -s solves for the focal length, with -f for the "
+             "distance, with both for the sensor"},
     {MEASURE(field_height, length, "m", "LENGTH"), .name = "field-height",
      .quantity = "height of the field", .column = "field_height", ABOVE_0 | OPTION_GOAL,
-     .help = "wanted height of the field"},
+     .help = "wanted height of the field; with the width both shall be in the picture"},
     {MEASURE(field_diagonal, length, "m", "LENGTH"), .name = "field-diagonal",
      .quantity = "diagonal of the field", .column = "field_diagonal", ABOVE_0 | OPTION_GOAL,
      .help = "wanted diagonal of the field"},
+    {MEASURE(density, pixel_density, "px_m", "DENSITY"), REPEATED("density"),
+     .quantity = "pixel density", ABOVE_0 | OPTION_GOAL,
+     .help = "wanted pixels along the subject: 250px/m, 10px/mm, 76px/ft; solves as a field does"},
+    {ASKED(task), REPEATED("task"), .words = fov_tasks, .fallback = "none", .value = "TASK",
+     .excludes = "density dori field-width field-height field-diagonal",
+     .help = "the same by what is to be seen, as IEC 62676-4 has it: identify is 250 px/m"},
+    {ASKED(dori), .name = "dori", .excludes = "density field-width field-height field-diagonal",
+     .help = "all six tasks of IEC 62676-4:2014, from monitor to inspect"},
+    OPTION_PIXELS(pixels, "of --sensor, or with --pitch in its place: 2448x2048, 4Mpx, 1080p"),
+    OPTION_PITCH_ALONE(pitch, NULL,
+                       "pixel pitch (otherwise that of the camera): adds the angle of a pixel"),
+    {ASKED(line_scan), .name = "line-scan",
+     .help = "the sensor is one line of pixels, the width its length"},
+    {MEASURE(speed, speed, "m_s", "SPEED"), REPEATED("speed"), .letter = 'v', ABOVE_0,
+     .wants = "line-scan", .help = "of what passes the line: adds the line rate for square pixels"},
+    {MEASURE(line_rate, rate, "Hz", "RATE"), .name = "line-rate", .quantity = "line rate",
+     .column = "line_rate", ABOVE_0, .wants = "line-scan", .excludes = "speed",
+     .help = "of the camera: adds the speed at which pixels are square"},
     {MEASURE(altitude, length, "m", "LENGTH"), REPEATED("altitude"), ABOVE_0,
      .help = "of a drone looking straight down: adds the ground coverage of pixel and picture"},
     {MEASURE(gsd, length, "cm", "LENGTH"), REPEATED("gsd"), .quantity = "ground sample", ABOVE_0,
      .help = "wanted ground sampling distance, in place of --altitude: solves for it"},
-    OPTION_PITCH_ALONE(pitch, NULL,
-                       "pixel pitch (otherwise that of the camera): adds the angle of a pixel"),
     SKY_OPTIONS(sky),
     BY_RAYS_EXACT_OPTION(lens.rays, "put the sensor where the rays of --lens are sharpest"),
     BY_RAYS_CRITERION_OPTION(lens.rays),
     {ASKED(focus_by), .name = "focus-by", .words = focusings, .fallback = "lens", .wants = "lens",
      .excludes = "gap", .value = "HOW", .help = "how --lens is focused; adds how much it breathes"},
-    {ASKED(gap), .name = "gap", .wants = "lens", .value = "GAPS",
+    {ASKED(gap), .name = "gap", .wants = "lens", .value = "GAPS", .excludes = FIELDS,
      .help = "focus by these gaps before a sensor that stays, as 'conjugate' does: d5,10:-1"},
 };
 
@@ -76,8 +97,9 @@ static const struct column columns[] = {
      .label = "combined focal length", .help = "focal length of lens and converter"},
     COLUMN_FOCAL(focal, COLUMN_BRIEF),
     COLUMN_CONVERTER(converter),
-    {LENGTH(setting.s, "m"), .name = "distance", .flags = COLUMN_ECHO | COLUMN_INFINITE,
-     .symbol = "s", .with = "distance", .label = "focused at",
+    {LENGTH(setting.s, "m"), .name = "distance",
+     .flags = COLUMN_ECHO | COLUMN_INFINITE | COLUMN_WITH, .symbol = "s", .with = FIELDS,
+     .repeats = "distance", .label = "focused at",
      .help = "distance the lens is focused at, from the front principal plane"},
     {ANGLE(fov.horizontal), .name = "horizontal", BRIEF, .symbol = "hfov",
      .label = "horizontal angle", .help = "full horizontal angle of view"},
@@ -86,15 +108,28 @@ static const struct column columns[] = {
     {ANGLE(fov.diagonal), .name = "diagonal", BRIEF, .symbol = "dfov", .label = "diagonal angle",
      .help = "full diagonal angle of view"},
     {LENGTH(fov.width_at_s, "m"), .name = "field_width", .flags = COLUMN_INFINITE, .symbol = "W",
-     .with = "distance magnification", .label = "field width",
-     .help = "width seen in the plane of focus"},
-    {LENGTH(fov.height_at_s, "m"), .name = "field_height", .flags = COLUMN_INFINITE,
-     .with = "distance magnification", .label = "field height",
-     .help = "height seen in the plane of focus"},
+     .with = NEAR, .label = "field width", .help = "width seen in the plane of focus"},
+    {LENGTH(fov.height_at_s, "m"), .name = "field_height", .flags = COLUMN_INFINITE, .with = NEAR,
+     .label = "field height", .help = "height seen in the plane of focus"},
     {LENGTH(fov.diagonal_at_s, "m"), .name = "field_diagonal", .flags = COLUMN_INFINITE,
-     .with = "distance magnification", .label = "field diagonal",
-     .help = "diagonal seen in the plane of focus"},
+     .with = NEAR, .label = "field diagonal", .help = "diagonal seen in the plane of focus"},
     COLUMN_MAGNIFICATION(magnification, 0),
+    {SHOWN(solved_for), .name = "solved_for", BRIEF_WITH(FIELDS) | COLUMN_SPARSE,
+     .label = "solved for", .help = "what was open: focal length, distance or sensor"},
+    {SHOWN(solved_by), .name = "solved_by", WITH(FIELDS) | COLUMN_SPARSE, .label = "by its",
+     .help = "of several fields the one that is harder to get into the picture"},
+    {SHOWN(task), .name = "task", BRIEF_WITH("task dori"), .label = "task",
+     .help = "of an operator, IEC 62676-4"},
+    {MEASURED(density, pixel_density, "px_m"), .name = "density", .with = NEAR,
+     .flags = COLUMN_EXTRA | COLUMN_SPARSE, .when = "with pixels known", .label = "pixel density",
+     .symbol = "D", .help = "along the width of the subject"},
+    {LENGTH(object_pixel, "mm"), .name = "object_pixel", .with = NEAR,
+     .flags = COLUMN_EXTRA | COLUMN_SPARSE, .when = "with pixels known",
+     .label = "pixel on the subject", .help = "its width there"},
+    {MEASURED(speed, speed, "m_s"), .name = "speed", BRIEF_WITH("speed line-rate"), .symbol = "V",
+     .help = "of what passes the line"},
+    {MEASURED(line_rate, rate, "Hz"), .name = "line_rate", BRIEF_WITH("speed line-rate"),
+     .label = "line rate", .help = "for square pixels"},
     {MEASURED(breathing, ratio, "percent"), .name = "breathing", BRIEF_WITH("exact focus-by gap"),
      .symbol = "b",
      .help = "how much wider the diagonal angle is than of the lens focused at infinity"},
@@ -131,7 +166,8 @@ static const struct column columns[] = {
     {SHOWN(projection), .name = "projection",
      .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_HIDDEN, .with = "lens projection",
      .depends = "projection lens pupil", .help = "how the lens maps angles"},
-    {LENGTH(pitch, "um"), .name = "pitch", ASSUMED_WITH("altitude gsd " SKY_NAMES, "pitch sensor"),
+    {LENGTH(pitch, "um"), .name = "pitch",
+     ASSUMED_WITH("altitude gsd pixels pitch " NEAR " " SKY_NAMES, "pitch sensor pixels"),
      .symbol = "p", .label = "pixel pitch", .help = "spacing of the pixels"},
     COLUMN_FROM(from),
     COLUMN_PUPIL(setting.P),
@@ -162,6 +198,13 @@ static const struct explanation explanations[] = {
     ANGLES("orthographic", "2 asin({q} {w}" OVER_SCALE ")", "2 asin({h}" OVER_SCALE ")",
            "r = f sin t"),
     {"magnification", "m = {f}/({s} - {f})", "thin lens 1/f = 1/s + 1/v", NULL},
+    {"focal solved_for=focal length", "f = {s} {m}/(1 + {m})", "thin lens 1/f = 1/s + 1/v, v = m s",
+     "exact near 1:1 too, where s w/W is too long by 1 + m"},
+    {"distance solved_for=distance", "s = {f} (1 + 1/{m})", "thin lens 1/f = 1/s + 1/v, v = m s",
+     "exact near 1:1 too, where f W/w is too short by f"},
+    {"sensor_width solved_for=sensor", "w = {m} {W}/{q}", "similar triangles", NULL},
+    {"density", "D = {m}/({p} {q})", "similar triangles", "in the middle of the picture"},
+    {"line_rate", "{V} {D}", "one line a pixel of the way", NULL},
     {"distance_sensor", "Ds = {s} + {v} + {HH'}",
      "[Gauss41] HH' from the front to the rear principal plane", NULL},
     {"gsd", "g = {p} {A}/({f} (1 + {m}/{P}))", "similar triangles at the entrance pupil",
@@ -181,6 +224,12 @@ static const struct example examples[] = {
     {"fov -f 100mm -s 40cm", "how much is in the picture close up"},
     {"fov -f 100mm -m 1:2", "or at half life size"},
     {"fov --horizontal 90deg", "the focal length for an angle"},
+    {"fov --field-width 400mm -s 600mm --sensor imx264", "or for a field at a distance"},
+    {"fov -f 16mm --field-width 100mm --field-height 75mm --sensor 2/3in",
+     "the distance at which both are in the picture"},
+    {"fov -f 2.8mm --sensor 1/2.8in --pixels 2688x1520 --dori", "how far a camera identifies"},
+    {"fov --line-scan --pixels 4096 --pitch 7um --field-width 0.5m -s 1m -v 2m/s",
+     "a line-scan camera above a belt"},
     {"fov -f 8mm --projection equisolid --sensor mft", "a fisheye"},
     {"fov --lens double-gauss -s 0.5m", "a real lens, close up, by its rays"},
     {"fov --lens fisheye-16", "and a fisheye"},
@@ -191,14 +240,20 @@ static const struct example examples[] = {
     {NULL, NULL},
 };
 
-PHOTO_LENS_MAKES_MANY(lens)
+PHOTO_LENS_VARIES(lens)
+
+static bool makes_many(const void *data)
+{
+    const struct fov_input *input = data;
+    return input->dori || photo_lens_makes_many(&input->lens);
+}
 
 BY_RAYS_WEIGHT(lens.rays)
 
 const struct command command_fov = {
     .name = "fov",
     .stop_size_wants = "exact",
-    COMMAND_OF("photography", "field of view, and the focal length for a wanted one"),
+    COMMAND_OF("photography", "field of view, and the lens, distance or sensor for a wanted one"),
     .run = fov_run,
     .makes_many = makes_many,
     .varies = varies,

@@ -5,6 +5,7 @@
 #include "commands/photo/attachments.h"
 #include "commands/photo/crop.h"
 #include "commands/photo/fov_question.h"
+#include "photo/pixel_density.h"
 
 #include <math.h>
 
@@ -19,6 +20,28 @@ const struct word fov_ways[] = {
     {"orthographic", "f sin t: at most a half sphere"},
     {NULL, NULL},
 };
+
+const struct word fov_tasks[] = {
+    {"none", "no task"},
+    {"monitor", "12.5 px/m, IEC 62676-4:2014 as the next five"},
+    {"detect", "25 px/m"},
+    {"observe", "62.5 px/m"},
+    {"recognise", "125 px/m"},
+    {"identify", "250 px/m"},
+    {"inspect", "1000 px/m"},
+    {"overview", "20 px/m, IEC 62676-4:2025 as the rest"},
+    {"outline", "40 px/m"},
+    {"discern", "80 px/m"},
+    {"perceive", "125 px/m"},
+    {"characterise", "250 px/m"},
+    {"validate", "500 px/m"},
+    {"scrutinise", "1500 px/m"},
+    {NULL, NULL},
+};
+
+/* What a problem was solved for; null: nothing. */
+static const char *const unknowns[] = {
+    [FOV_FOCAL_LENGTH] = "focal length", [FOV_DISTANCE] = "distance", [FOV_SENSOR] = "sensor"};
 
 static void fov_warn(struct fov_row *row, const char *warning, struct arena *arena)
 {
@@ -137,14 +160,27 @@ static bool look_by_rays(const struct fov_input *input, const struct photo_lens 
             find_breathing(input, lens, run, row, error));
 }
 
-/* How far the subject is from the front principal plane. */
-static bool find_subject(const struct fov_input *input, const struct photo_lens *lens, double *s,
-                         struct error *error)
+static int count_fields(const struct fov_goals *goals)
+{
+    return !isnan(goals->field_width) + !isnan(goals->field_height) +
+           !isnan(goals->field_diagonal) + !isnan(goals->pixel);
+}
+
+/* How far the subject is from the front principal plane, and a thin lens's f if that settles it. */
+static bool find_subject(const struct fov_input *input, const struct photo_lens *lens,
+                         struct fov_problem *problem, struct error *error)
 {
     const bool both = !isnan(input->magnification) && !isinf(input->distance);
     const bool near = !isnan(input->magnification) && !both;
     bool elsewhere = input->lens.from != FROM_PRINCIPAL && !isinf(input->distance);
+    double *s = &problem->setting.s, goal;
     *s = input->distance;
+    if (elsewhere && isnan(lens->f) && input->lens.from == FROM_SENSOR &&
+        count_fields(&problem->goals) > 0) {
+        problem->unknown = FOV_FOCAL_LENGTH;
+        return fov_goal_magnification(problem, &goal, &problem->by, error) &&
+               fov_focal_length_from_sensor(goal, input->distance, &problem->setting.f, s, error);
+    }
     if ((near || elsewhere) && isnan(lens->f)) {
         return fail(error, ERROR_USAGE, "{--%s} needs {--focal-length} or {--lens}",
                     near ? "magnification" : "from");
@@ -168,12 +204,13 @@ static bool find_subject(const struct fov_input *input, const struct photo_lens 
 static bool fill_ground(const struct fov_input *input, struct fov_row *row, struct run *run,
                         struct error *error)
 {
-    const struct sharpness pixels = {.sensor = input->sensor, .pitch = input->pitch};
     row->ground = (struct fov_ground){input->altitude, input->gsd, NAN, NAN};
-    row->pitch = sharpness_pitch(&pixels);
     if (run_shows(run, offsetof(struct fov_row, sky.scale)) ||
+        run_shows(run, offsetof(struct fov_row, density)) ||
+        run_shows(run, offsetof(struct fov_row, object_pixel)) ||
         run_shows(run, offsetof(struct fov_row, ground.sample))) {
-        sharpness_doubt_pitch(&pixels, run->doubts);
+        sharpness_doubt_pitch(&(struct sharpness){.sensor = input->sensor, .pitch = NAN},
+                              run->doubts);
     }
     if (isnan(input->altitude) && isnan(input->gsd)) {
         return true;
@@ -189,17 +226,100 @@ static bool fill_ground(const struct fov_input *input, struct fov_row *row, stru
     return fov_ground(&row->setting, &row->fov, row->pitch, &row->ground, error);
 }
 
+/* The pixels in the plane of focus, and how fast they are scanned. */
+static bool fill_pixels(const struct fov_input *input, struct fov_row *row, struct error *error)
+{
+    const bool is_near = row->magnification > 0 && !isnan(row->pitch);
+    row->density =
+        is_near ? pixel_density(row->magnification, row->pitch, input->squeeze) : (double)NAN;
+    row->object_pixel = 1 / row->density;
+    row->speed = input->speed;
+    row->line_rate = input->line_rate;
+    if (isnan(input->speed) && isnan(input->line_rate)) {
+        return true;
+    }
+    if (!is_near) {
+        return fail(error, ERROR_USAGE, "{--%s} needs a finite {--distance}, or a field",
+                    isnan(input->speed) ? "line-rate" : "speed");
+    }
+    if (isnan(row->speed)) {
+        row->speed = input->line_rate / row->density;
+    } else {
+        row->line_rate = line_rate(row->speed, row->density);
+    }
+    return true;
+}
+
+/* The sensor with its pixels; one that is open has the shape of its pixels, or of 35 mm film. */
+static bool settle_sensor(struct fov_input *input, bool is_open, struct run *run,
+                          struct error *error)
+{
+    const struct pixels_question pixels = {input->pixels, input->pitch, input->line_scan};
+    struct sensor_value *sensor = &input->sensor;
+    if (!is_open || !isnan(input->pitch) || input->line_scan || !pixels_given(&input->pixels)) {
+        if (!pixels_settle(&pixels, sensor, run->arena, run->doubts, error)) {
+            return false;
+        }
+        const struct sensor_value whole = *sensor;
+        return crop_sensor(&whole, input->crop, run->arena, sensor, error);
+    }
+    if (isnan(input->pixels.high)) {
+        return fail(error, ERROR_USAGE,
+                    "{--pixels} of a sensor that is solved for needs both numbers, as in "
+                    "2448x2048");
+    }
+    sensor->size.width = sensor->size.height * (input->pixels.wide / input->pixels.high);
+    return true;
+}
+
+/* What is open of lens, distance and sensor, by the goals that are given. */
+static bool solve_view(struct fov_input *input, const struct photo_lens *lens, struct run *run,
+                       struct fov_row *row, struct error *error)
+{
+    struct fov_problem problem = {
+        .setting = row->setting,
+        .goals = {input->horizontal, input->vertical, input->diagonal, input->field_width,
+                  input->field_height, input->field_diagonal, 1 / input->density},
+        .sensor_is_open = input->sensor.is_fallback && isnan(input->pitch) && !input->line_scan &&
+                          isnan(input->crop),
+    };
+    const bool is_open = problem.sensor_is_open && !isnan(lens->f) && !isnan(row->setting.s) &&
+                         (!isinf(input->distance) || !isnan(input->magnification)) &&
+                         count_fields(&problem.goals) > 0;
+    if (!settle_sensor(input, is_open, run, error)) {
+        return false;
+    }
+    problem.sensor = input->sensor.size;
+    if (!find_subject(input, lens, &problem, error)) {
+        return false;
+    }
+    if (problem.unknown == FOV_GIVEN && !fov_solve(&problem, error)) {
+        return false;
+    }
+    row->setting = problem.setting;
+    row->solved_for = unknowns[problem.unknown];
+    row->solved_by = count_fields(&problem.goals) > 1 ? problem.by : NULL;
+    if (problem.unknown == FOV_SENSOR) {
+        const bool is_shaped = !pixels_given(&input->pixels) &&
+                               (isnan(input->field_width) || isnan(input->field_height));
+        input->sensor.size = problem.sensor;
+        input->sensor.size.pitch = problem.sensor.width / input->pixels.wide;
+        input->sensor.name =
+            arena_printf(run->arena, "%.4g x %.4g mm%s", problem.sensor.width,
+                         problem.sensor.height, is_shaped ? " (its shape, 3:2, assumed)" : "");
+    }
+    return true;
+}
+
 static bool fov_answer(const void *data, const struct photo_lens *bare, struct run *run,
                        struct error *error)
 {
     struct fov_input own = *(const struct fov_input *)data;
     const struct fov_input *input = &own;
     const struct attachments attachments = {NAN, NAN, input->converter};
-    const struct sensor_value whole = own.sensor;
     struct photo_lens room;
     struct attached_lens attached;
-    if (!crop_sensor(&whole, input->crop, run->arena, &own.sensor, error) ||
-        !attachments_apply(&attachments, bare, &room, &attached, error)) {
+    if (!attachments_apply(&attachments, bare, &room, &attached, error)) {
         return false;
     }
     const struct photo_lens *lens = attached.lens;
@@ -207,38 +327,38 @@ static bool fov_answer(const void *data, const struct photo_lens *bare, struct r
     struct fov_row row = {
         .setting = {(enum projection)(chosen ? input->projection - VIEW_PROJECTIONS : RECTILINEAR),
                     lens->f, input->distance, lens->P, input->squeeze},
-        .width = input->sensor.size.width,
-        .height = input->sensor.size.height,
-        .sensor = input->sensor.name,
         .projection = fov_ways[chosen ? input->projection : VIEW_PROJECTIONS].word,
         .from = isinf(input->distance) ? NULL : distances_from[input->lens.from].word,
         .circle = NAN,
         .breathing = NAN,
+        .task = input->task > 0 ? fov_tasks[input->task].word : NULL,
         .real = *lens->real,
         .rays = by_rays_none,
         .converter = input->converter,
     };
     row.real.hiatus = lens->measuring.hiatus;
-    if (!find_subject(input, lens, &row.setting.s, error) ||
-        !photo_lens_check_subject(lens, row.setting.s, error)) {
-        return false;
+    if (input->task > 0) {
+        own.density = viewing_tasks[input->task - 1].density;
     }
-    /* The focal length from the one goal that is given. */
-    const struct fov_goals goals = {input->horizontal,  input->vertical,     input->diagonal,
-                                    input->field_width, input->field_height, input->field_diagonal};
-    if (!fov_solve(&row.setting, &input->sensor.size, &goals, &row.setting.f, error) ||
+    if (!solve_view(&own, lens, run, &row, error) ||
+        !photo_lens_check_subject(lens, row.setting.s, error) ||
         !fov_compute(&row.setting, &input->sensor.size, &row.fov, error)) {
         return false;
     }
     row.focal = isnan(input->converter) ? row.setting.f : attached.focal;
+    row.width = input->sensor.size.width;
+    row.height = input->sensor.size.height;
+    row.pitch = input->sensor.size.pitch;
+    row.sensor = input->sensor.name;
     row.image = distance_image(row.setting.f, row.setting.s);
     if (input->position != NULL) {
         row.real.position = input->position;
     }
+    row.magnification = row.setting.f / (row.setting.s - row.setting.f);
     if ((input->lens.rays.exact &&
          !place_film(input, lens, &row.setting.s, run, &row.image, &row.rays, error)) ||
         (wants_rays(input, lens) && !look_by_rays(input, lens, run, &row, error)) ||
-        !fill_ground(input, &row, run, error) ||
+        !fill_ground(input, &row, run, error) || !fill_pixels(input, &row, error) ||
         !sky_fill(&input->sky, &row.setting, &input->sensor.size, row.pitch, &row.sky, error)) {
         return false;
     }
@@ -246,6 +366,24 @@ static bool fov_answer(const void *data, const struct photo_lens *bare, struct r
     row.crop = sensor_crop(&input->sensor.size);
     row.sensor_distance = row.setting.s + row.image + lens->measuring.hiatus;
     run_emit(run, &row);
+    return true;
+}
+
+/* One answer, or one for each task. */
+static bool fov_tasks_answer(const void *data, const struct photo_lens *lens, struct run *run,
+                             struct error *error)
+{
+    const struct fov_input *input = data;
+    if (!input->dori) {
+        return fov_answer(input, lens, run, error);
+    }
+    for (int task = 1; task <= DORI_TASKS; task++) {
+        struct fov_input own = *input;
+        own.task = task;
+        if (!fov_answer(&own, lens, run, error)) {
+            return false;
+        }
+    }
     return true;
 }
 
@@ -309,7 +447,7 @@ bool fov_run(const void *data, struct run *run, struct error *error)
     const size_t *positions;
     size_t count;
     if (input->gap == NULL || input->lens.lens.lens == NULL) {
-        return photo_lens_each(&input->lens, 0, run, fov_answer, input, error);
+        return photo_lens_each(&input->lens, 0, run, fov_tasks_answer, input, error);
     }
     if (!lens_positions(input->lens.lens.lens, input->lens.position, run->arena, &positions, &count,
                         error)) {

@@ -5,9 +5,10 @@
 
 #include "commands/photo/by_rays.h"
 #include "commands/photo/photo_lens.h"
+#include "commands/photo/pixels.h"
 #include "commands/photo/sharpness.h"
 #include "commands/photo/sky_subject.h"
-#include "photo/fov.h"
+#include "photo/fov_solve.h"
 
 /* How angles are found: by the lens's rays, or a projection of photo/fov.h behind them. */
 enum view_way { VIEW_AUTO, VIEW_RAYS, VIEW_PROJECTIONS };
@@ -23,9 +24,15 @@ struct fov_input {
     int projection;
     double horizontal, vertical, diagonal;            /* wanted angles, rad */
     double field_width, field_height, field_diagonal; /* wanted fields, mm */
-    double pitch;                                     /* mm */
-    double altitude, gsd;                             /* of a camera in the air, mm */
-    double converter, crop;                           /* factors */
+    struct pixels_value pixels;
+    double pitch;            /* of the pixels, mm */
+    double density;          /* wanted pixels on the subject, px/mm */
+    int task;                /* 1 + index into viewing_tasks; 0 = none */
+    bool dori;               /* one row for each of the first DORI_TASKS */
+    bool line_scan;          /* the sensor is one row of pixels */
+    double speed, line_rate; /* of what passes it, mm/s and Hz */
+    double altitude, gsd;    /* of a camera in the air, mm */
+    double converter, crop;  /* factors */
     struct sky_question sky;
     int focus_by;
     const char *gap;
@@ -44,8 +51,15 @@ struct fov_row {
     double breathing; /* NaN: not asked for */
     struct photo_real real;
     struct by_rays_row rays;
+    const char *solved_for, *solved_by; /* null: everything was given */
+    double density, object_pixel;       /* px/mm and mm in the plane of focus; NaN = not known */
+    const char *task;
+    double speed, line_rate;
     const char *sensor, *projection, *from;
 };
+
+/* The words of --task, `none` first. */
+extern const struct word fov_tasks[];
 
 /* The `run` of the command. */
 bool fov_run(const void *data, struct run *run, struct error *error);
