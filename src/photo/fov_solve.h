@@ -60,7 +60,7 @@ bool fov_solve(struct fov_problem *problem, struct error *error);
  * Given     m         > 0;  distance  sensor to subject, mm, > 0
  * Result    f, s      mm
  * Formula   f = D m/(1 + m)^2, s = f (1 + 1/m): D = s + v, v = f (1 + m)
- * Source    [SukHamburg] f = OO'/(1/b + b + 2)
+ * Source    [SukHamburg14] f = OO'/(1/b + b + 2)
  * Errors    a number not above 0
  * Limits    a thin lens: its principal planes coincide
  */

@@ -14,7 +14,7 @@ struct viewing_task {
 /*
  * The tasks of IEC 62676-4:2014 (DORI) and behind them those of its edition of 2025.
  *
- * Source    [IEC62676] 2014: 80, 40, 16, 8, 4 and 1 mm per pixel, table 3 of EN 62676-4:2015, too;
+ * Source    [IEC14] 2014: 80, 40, 16, 8, 4 and 1 mm per pixel, table 3 of EN 62676-4:2015, too;
  *           2025: 20, 40, 80, 125, 250, 500 and 1500 px/m. EN 50132-7:2012 has the 2014 tasks but
  *           in percent of the height of a screen
  * Limits    of the pixels alone: what light, compression and motion take is not in them
@@ -38,7 +38,7 @@ double pixel_density(double m, double pitch, double squeeze);
  * Given     speed  of what passes, mm/s, > 0;  density  px/mm along the line, > 0
  * Result    Hz
  * Formula   speed density
- * Source    [SukHamburg] f_L = V_O b/W_P
+ * Source    [SukHamburg14] f_L = V_O b/W_P
  */
 double line_rate(double speed, double density);
 
