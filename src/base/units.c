@@ -97,7 +97,7 @@ static const struct unit luminance_units[] = {
     {"cd_m2", "cd/m2", {1, 0}, 1, "cd/m2 cd/m^2 nt nit nits", "candela per square metre"},
     {"kcd_m2", "kcd/m2", {1, 3}, 1, "kcd/m2 kcd/m^2", "kilocandela per square metre"},
     {"mcd_m2", "mcd/m2", {1, -3}, 1, "mcd/m2 mcd/m^2", "millicandela per square metre"},
-    {"fL", "fL", {1, 0}, 3.4262590996353905, "ftL", "foot-lambert"},
+    {"fL", "fL", {1, 0}, 3.4262590996353905, "ftL ft-L fl ftl", "foot-lambert"},
 };
 
 static const struct unit illuminance_units[] = {
@@ -156,6 +156,15 @@ static const struct unit pixel_density_units[] = {
     {"px_cm", "px/cm", {1, -1}, 1, "px/cm", "pixel per centimetre"},
     {"px_in", "px/in", {1, 0}, 1 / 25.4, "px/in ppi", "pixel per inch"},
     {"px_ft", "px/ft", {1, 0}, 1 / 304.8, "px/ft ppf PPF", "pixel per foot"},
+};
+
+static const struct unit pixel_units[] = {
+    {"px", "px", {1, 0}, 1, "pixel pixels", "pixel"},
+};
+
+static const struct unit luminous_flux_units[] = {
+    {"lm", "lm", {1, 0}, 1, "lumen lumens", "lumen"},
+    {"klm", "klm", {1, 3}, 1, NULL, "thousand lumens"},
 };
 
 static const struct unit temperature_units[] = {
@@ -225,6 +234,10 @@ const struct dimension dimension_rate = {.name = "frame rate", UNITS(rate_units)
 
 const struct dimension dimension_pixel_density = {.name = "pixel density",
                                                   UNITS(pixel_density_units)};
+const struct dimension dimension_pixels = {.name = "number of pixels", UNITS(pixel_units)};
+const struct dimension dimension_luminous_flux = {.name = "luminous flux",
+                                                  UNITS(luminous_flux_units)};
+
 const struct dimension dimension_temperature = {.name = "temperature", UNITS(temperature_units)};
 const struct dimension dimension_pressure = {.name = "pressure", UNITS(pressure_units)};
 const struct dimension dimension_storage = {.name = "amount of data", UNITS(storage_units)};
@@ -234,12 +247,19 @@ const struct dimension dimension_wavelength = {.name = "wavelength", UNITS(lengt
 const struct dimension dimension_wavelength_um = {.name = "wavelength", UNITS(wavelength_units)};
 
 const struct dimension *const dimensions[] = {
-    &dimension_length,   &dimension_angle,         &dimension_time,        &dimension_fnumber,
-    &dimension_ratio,    &dimension_vergence,      &dimension_number,      &dimension_iso,
-    &dimension_ev,       &dimension_stops,         &dimension_luminance,   &dimension_illuminance,
-    &dimension_exposure, &dimension_speed,         &dimension_rotation,    &dimension_frequency,
-    &dimension_rate,     &dimension_pixel_density, &dimension_temperature, &dimension_pressure,
-    &dimension_storage,  &dimension_colour,        &dimension_mass,        NULL,
+    &dimension_length,      &dimension_angle,
+    &dimension_time,        &dimension_fnumber,
+    &dimension_ratio,       &dimension_vergence,
+    &dimension_number,      &dimension_iso,
+    &dimension_ev,          &dimension_stops,
+    &dimension_luminance,   &dimension_illuminance,
+    &dimension_exposure,    &dimension_speed,
+    &dimension_rotation,    &dimension_frequency,
+    &dimension_rate,        &dimension_pixel_density,
+    &dimension_pixels,      &dimension_luminous_flux,
+    &dimension_temperature, &dimension_pressure,
+    &dimension_storage,     &dimension_colour,
+    &dimension_mass,        NULL,
 };
 
 const struct unit *unit_find(const struct dimension *dimension, struct text name)

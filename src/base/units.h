@@ -35,7 +35,7 @@ extern const struct dimension dimension_number, dimension_length, dimension_angl
     dimension_stops, dimension_luminance, dimension_illuminance, dimension_exposure,
     dimension_speed, dimension_rotation, dimension_frequency, dimension_rate, dimension_temperature,
     dimension_pressure, dimension_storage, dimension_colour, dimension_mass,
-    dimension_pixel_density, dimension_luminous_flux;
+    dimension_pixel_density, dimension_luminous_flux, dimension_pixels;
 
 /*
  * A length that may also be the name of a spectral line; the names are data of lensdb. Its own unit

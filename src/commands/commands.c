@@ -7,6 +7,7 @@ extern const struct command command_exposure, command_flash, command_bracket, co
     command_stars;
 extern const struct command command_focus, command_diffraction, command_equivalent;
 extern const struct command command_tilt, command_panorama, command_timelapse;
+extern const struct command command_survey, command_projector;
 extern const struct command command_refract, command_lensmaker;
 extern const struct command command_trace, command_check, command_pupil, command_draw;
 extern const struct command command_lens, command_surfaces, command_matrix, command_conjugate;
@@ -36,6 +37,8 @@ const struct command *const commands[] = {
     &command_tilt,
     &command_panorama,
     &command_timelapse,
+    &command_survey,
+    &command_projector,
     &command_refract,
     &command_lensmaker, /* one surface, one lens */
     &command_lens,

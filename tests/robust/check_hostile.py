@@ -63,7 +63,8 @@ QUESTIONS = (
 ALWAYS = (("spans.lens", "mtf @ --plot p.svg"), ("bead.lens", "mtf @ --plot p.svg"),
           ("bead.lens", "wavefront @ --plot p.svg"))
 # Commands that read no file of the user's but tables of --lensdb, which check_input tries.
-WITHOUT = {"flash", "bracket", "motion", "stars", "tilt", "panorama", "timelapse", "refract", "lensmaker",
+WITHOUT = {"flash", "bracket", "motion", "stars", "tilt", "panorama", "timelapse", "survey",
+           "projector", "refract", "lensmaker",
            "list", "help", "completion"}
 
 

@@ -29,6 +29,9 @@ PHOTOGRAPHIC = {
     "equivalent": ("-f 50 -N 5.6 --sensor 4/3", "--lens double-gauss -N 5.6 --sensor 4/3"),
     "tilt": ("-f 90 -N 5.6 --tilt 5 -s 0.6", "-f 90 -N 5.6"),
     "panorama": ("-f 24", "-f 24 --pixels 6000", "-f 24 --distance 3"),
+    "survey": ("-f 10 --sensor 1in --pixels 20Mpx --altitude 100",
+               "-f 10 --sensor 1in --pixels 20Mpx --altitude 100 -v 10m/s --overlap 80%"),
+    "projector": ("--throw 1.5 --screen 100in", "--screen 100in --lumens 2000"),
     "timelapse": ("--event 1h --clip 10s -t 1/60", "--event 1h --interval 5s"),
 }
 SINGLET = "../singlet.lens --vary R1"
@@ -130,6 +133,9 @@ VALUES = {
     "event": "2h", "interval": "3s", "clip": "20s", "frame-size": "30MB", "card": "64GB",
     "star-angle": "20deg", "film/diffraction": "60", "to/equivalent": "1in", "image/tilt": "100mm",
     "from/bracket": "15s", "gap/timelapse": "2s", "angle/tilt": "60deg", "focal-length/tilt": "120mm",
+    "sidelap": "60%", "along": "width", "blur/survey": "2", "pixels/survey": "5472x3648", "throw": "2",
+    "screen": "80in", "width": "3m", "height/projector": "2m", "aspect": "4:3", "lumens": "1500",
+    "gain/projector": "1.3",
     "pixels/fov": "3000x2000", "density": "100px/m", "task": "observe", "line-rate": "20kHz",
     "pixels/panorama": "6000", "horizontal/panorama": "60deg", "vertical/panorama": "40deg",
     "before": "1.33", "after": "1.6", "radius": "40mm", "object": "2m", "height-at": "5mm",

@@ -238,6 +238,7 @@ struct sensor_value {
     struct sensor size;     /* mm */
     const char *name;       /* as printed: "35mm (36 x 24 mm)" */
     const char *pitch_note; /* what to know of the pixel pitch; null = nothing */
+    double focal;           /* of a camera whose lens is fixed, mm; else NaN */
     bool is_fallback;       /* nobody named it */
     bool is_wide;           /* of a camera whose lens is fixed and wide: phone, drone, action */
     bool is_optical;        /* an optical format, "1/2.8in": its shape is not sure */

@@ -119,6 +119,10 @@ static struct sensor_value name_sensor(const struct reader *reader,
                                        const struct lensdb_sensor *found)
 {
     struct sensor_value sensor = {.size = found->size};
+    if (!quantity_read(found->focal, &dimension_number, NULL, &sensor.focal, NULL,
+                       &(struct error){0})) {
+        sensor.focal = NAN; /* unknown, or both ends of a zoom */
+    }
     sensor.is_optical = inches_of(found->name).start != NULL;
     const char *size = size_name(reader->arena, found->size);
     sensor.name = arena_printf(reader->arena, "%.*s%s%.*s (%s)", (int)found->maker.length,
@@ -287,7 +291,7 @@ static bool read_extraction(const struct reader *reader, const struct option *op
                             struct text text, struct sensor_value *sensor)
 {
     struct error ignored;
-    struct sensor_value gate = {0};
+    struct sensor_value gate = {.focal = NAN};
     double ratio;
     bool begun;
     size_t at = text.length;
@@ -313,7 +317,7 @@ static bool read_extraction(const struct reader *reader, const struct option *op
 static bool sensor_value_read(const struct reader *reader, const struct option *option,
                               struct text text, void *member, struct error *error)
 {
-    struct sensor_value sensor = {0};
+    struct sensor_value sensor = {.focal = NAN};
     bool begun;
     if (read_whole(reader, option, text, &sensor, &begun, error) ||
         (error->code == ERROR_USAGE &&

@@ -17,7 +17,8 @@ static bool size_of_pixels(const struct pixels_question *a, struct sensor_value 
         fail(error, ERROR_USAGE, "{--pixels} with {--pitch} needs both numbers, as in 2448x2048");
         return error_hint(error, "{--line-scan} is for a line of pixels");
     }
-    *sensor = (struct sensor_value){.size = {wide * a->pitch, high * a->pitch, a->pitch}};
+    *sensor =
+        (struct sensor_value){.size = {wide * a->pitch, high * a->pitch, a->pitch}, .focal = NAN};
     sensor->name = arena_printf(arena, "%.15g x %.15g pixels of %.4g um (%.5g x %.5g mm)", wide,
                                 high, 1000 * a->pitch, sensor->size.width, sensor->size.height);
     return true;
