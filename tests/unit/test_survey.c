@@ -45,7 +45,7 @@ static void test_flight(void)
 {
     struct error error;
     struct survey_plan plan;
-    /* engineered.at, overlap of aerial photos: 48.9 deg, 80 %, at 50 m 9.09 m from one to the next */
+    /* engineered.at, overlap of aerial photos: 48.9 deg, 80 %, 50 m: 9.09 m from one to the next */
     struct survey_flight a = NOTHING;
     a.along = 2 * 50000 * tan(48.9 / 2 * RADIANS_PER_DEGREE);
     a.overlap = 0.8;

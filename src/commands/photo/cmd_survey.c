@@ -43,7 +43,7 @@ static const struct option options[] = {
     {MEASURE(sidelap, ratio, NULL, "FRACTION"), REPEATED("sidelap"), .lowest = 0, .highest = 1,
      .flags = OPTION_BELOW_HIGHEST, .help = "of each line of flight and the next: 70%"},
     {ASKED(along), REPEATED("along"), .words = sides, .fallback = "height", .value = "SIDE",
-     .help = "the side of the picture that lies along the track"},
+     .wants = "overlap|sidelap", .help = "the side of the picture that lies along the track"},
     {MEASURE(speed, speed, "m_s", "SPEED"), REPEATED("speed"), .letter = 'v',
      ABOVE_0 | OPTION_SETTING, .help = "over the ground: 10m/s, 36km/h"},
     {MEASURE(interval, time, "s", "TIME"), REPEATED("interval"),
