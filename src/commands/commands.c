@@ -6,6 +6,7 @@ extern const struct command command_dof, command_hyperfocal, command_fov;
 extern const struct command command_exposure, command_flash, command_bracket, command_motion,
     command_stars;
 extern const struct command command_focus, command_diffraction, command_equivalent;
+extern const struct command command_visual, command_microscope;
 extern const struct command command_tilt, command_panorama, command_timelapse;
 extern const struct command command_survey, command_projector;
 extern const struct command command_refract, command_lensmaker;
@@ -39,6 +40,8 @@ const struct command *const commands[] = {
     &command_timelapse,
     &command_survey,
     &command_projector,
+    &command_visual,
+    &command_microscope,
     &command_refract,
     &command_lensmaker, /* one surface, one lens */
     &command_lens,

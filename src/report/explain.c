@@ -100,9 +100,11 @@ static bool applies(const struct report *report, struct text only, const void *r
     const struct text absent = text_behind(only, "!");
     struct text word = absent.start != NULL ? absent : only;
     const struct column *column = explain_by_name(report->sheet, text_cut(&word, '='));
-    const char *said = *(const char *const *)((const char *)row + column->offset);
-    return absent.start != NULL ? said == NULL
-                                : said != NULL && (word.start == NULL || text_equal(word, said));
+    const bool is_absent = row_is_absent(row, column);
+    if (is_absent || absent.start != NULL || word.start == NULL) {
+        return is_absent == (absent.start != NULL);
+    }
+    return text_equal(word, row_text(row, column));
 }
 
 const char *explain_row(const struct report *report, const struct explanation *explanations,

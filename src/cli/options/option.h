@@ -231,7 +231,7 @@ struct option_kind {
 extern const struct option_kind kind_quantity, kind_focal, kind_choice, kind_flag, kind_text,
     kind_count, kind_sensor, kind_coc, kind_loss, kind_film, kind_scene, kind_series, kind_glass,
     kind_interval, kind_lens, kind_lens_text, kind_wavelength, kind_vector, kind_pupil, kind_plane,
-    kind_target, kind_fields, kind_spectrum, kind_print, kind_pixels, kind_part;
+    kind_target, kind_fields, kind_spectrum, kind_print, kind_pixels, kind_marking, kind_part;
 
 /* A sensor as the user named it. */
 struct sensor_value {
@@ -256,6 +256,16 @@ struct print_value {
     double viewing;         /* distance it is looked at from */
     double acuity;          /* of the eye, line pairs per mm at 25 cm */
     const char *criterion;  /* "print A2@1m", as typed */
+};
+
+/*
+ * What is marked on an optical instrument: a power and a second number, "10x42" on binoculars,
+ * "40x/0.65" on an objective, "10x/22" on an eyepiece, which may have the power alone.
+ */
+struct marking_value {
+    double power, number; /* NaN = not given */
+    const char *behind;   /* what stands behind them: "oil"; "" = nothing */
+    const char *name;     /* as typed; null = not given */
 };
 
 /*
@@ -305,6 +315,7 @@ struct coc_value {
         struct spectrum_value: &kind_spectrum, \
         struct print_value: &kind_print, \
         struct pixels_value: &kind_pixels, \
+        struct marking_value: &kind_marking, \
         struct part: &kind_part)
 
 #define OPTION(S, member) .kind = OPTION_KIND(S, member), .offset = offsetof(S, member)
