@@ -40,9 +40,9 @@ struct microscope {
  * Given     setting
  * Formula   with A = 2 NA, of a smaller condenser NA + NA_c: Abbe l/A, Rayleigh 1.2196698912665045
  *           l/A, Sparrow 0.94715525270918554 l/A; working f-number M/(2 NA). Eye: power M_t = M
- *           M_e, exit pupil 500 NA/M_t, field FN/M, useful powers 500 to 1000 NA, depth n (l/(2 NA^2) +
- *           0.34 mm/(NA M_t)). Camera: M_c = M adapter, pixel p/M_c, Nyquist pitch M_c l/(2 A),
- *           depth n l/NA^2 + n p/(M_c NA)
+ *           M_e, exit pupil 500 NA/M_t, field FN/M, useful powers 500 to 1000 NA, depth n (l/(2
+ *           NA^2) + 0.34 mm/(NA M_t)). Camera: M_c = M adapter, pixel p/M_c, Nyquist pitch M_c
+ *           l/(2 A), depth n l/NA^2 + n p/(M_c NA)
  * Source    Abbe, Rayleigh: [BornWolf99] 8.6.3; Sparrow: Astrophys. J. 44 (1916) 76; depth for the
  *           eye: [Berek27] as [LeicaDepth] has it; for a camera, with a pixel as the smallest
  *           distance e that is told apart, and useful powers: [MicroscopyU]; the exit pupil is

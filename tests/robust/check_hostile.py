@@ -44,6 +44,7 @@ QUESTIONS = (
     "tolerance @ --grade high --trials 3 --json",
     CARD + " --lens @ -o p.png", "render --lens @ --samples 1 -w d --rays p.csv",
     "dof --lens @ -N 8 -s 3 --json", "hyperfocal --lens @ -N 8 --json", "fov --lens @ --json",
+    "visual --telescope 900 --diameter 100 --lens @ --json",
     "focus --lens @ -N 8 -s 3 --json", "exposure --lens @ -N 8 -t 1/60 --json",
     "equivalent --lens @ -N 8 --sensor 4/3 --json", "diffraction --lens @ -N 8 --json",
     "convert @", "convert @ --to zmx --lossy", "convert @ --to seq --lossy", "convert @ --to len --lossy",
@@ -64,7 +65,7 @@ ALWAYS = (("spans.lens", "mtf @ --plot p.svg"), ("bead.lens", "mtf @ --plot p.sv
           ("bead.lens", "wavefront @ --plot p.svg"))
 # Commands that read no file of the user's but tables of --lensdb, which check_input tries.
 WITHOUT = {"flash", "bracket", "motion", "stars", "tilt", "panorama", "timelapse", "survey",
-           "projector", "refract", "lensmaker",
+           "projector", "microscope", "refract", "lensmaker",
            "list", "help", "completion"}
 
 

@@ -33,6 +33,10 @@ PHOTOGRAPHIC = {
                "-f 10 --sensor 1in --pixels 20Mpx --altitude 100 -v 10m/s --overlap 80%"),
     "projector": ("--throw 1.5 --screen 100in", "--screen 100in --lumens 2000"),
     "timelapse": ("--event 1h --clip 10s -t 1/60", "--event 1h --interval 5s"),
+    "visual": ("--telescope 1200 --diameter 200 --eyepiece 25", "--diameter 200 --telescope 1200",
+               "10x42", "--telescope 1200 --diameter 200 --lens erfle-eyepiece"),
+    "microscope": ("40x/0.65", "--na 0.65 -m 40", "40x/0.65 --eyepiece 10x/22",
+                   "40x/0.65 --pitch 4um"),
 }
 SINGLET = "../singlet.lens --vary R1"
 # pixels of 4 um
@@ -145,7 +149,14 @@ VALUES = {
     "height/motion": "0.5m", "temperature": "30C", "pressure": "900hPa", "method": "geometric",
     "size": "48", "size/psf": "48", "rays": "30", "points": "5", "energy": "80%", "aim": "entrance",
     "pattern": "hexapolar", "scale/convert": "2", "pitch/psf": "1um", "pitch/render": "3um", "stop-diameter": "9mm",
-    "pitch/stars": "5um", "subject-angle": "40arcsec", "time/bracket": "1/30", "shots/timelapse": "300",
+    "pitch/stars": "5um", "binoculars": "8x30", "telescope": "900mm", "diameter": "150mm",
+    "eyepiece": "10mm", "eyepiece/microscope": "12x/18", "barlow": "2x", "power": "80x",
+    "exit-pupil": "3mm", "field-stop": "20mm", "apparent-field": "60deg", "field/visual": "1deg",
+    "field-width/visual": "90m", "at": "500m", "obstruction": "30%", "secondary": "50mm",
+    "eye-pupil": "5mm", "naked-eye": "5", "back-focus": "55mm", "filter-thickness": "3mm",
+    "filter-index": "1.6", "objective": "60x/0.8", "na": "0.6", "immersion": "water",
+    "index": "1.4", "field-number": "20", "tube-lens": "180mm", "marked-for": "200mm",
+    "condenser": "0.3", "adapter": "0.5x", "sensor/microscope": "2/3in", "subject-angle": "40arcsec", "time/bracket": "1/30", "shots/timelapse": "300",
     "solution": "second", "lens-file": "single.lens", "pupil-point": "0.3:0.5", "pupil-x": "0.3",
     "pupil-y": "0.5", "point": "0:6:-20", "direction": "0:0.1:1", "x": "1mm", "y": "2mm",
     "z": "-20mm", "cos-x": "0.1", "cos-y": "0.1", "cos-z": "0.9", "side": "exit", "outline": "5",

@@ -169,8 +169,10 @@ static bool microscope_find_medium(const struct microscope_input *input, struct 
     if (marked[0] != '\0' && medium == MEDIUM_AUTO) {
         fail(error, ERROR_USAGE, "{objective} '%s': '%s' is none of air, water, glycerol and oil",
              input->objective.name, marked);
-        return char_is_digit(marked[0]) ? error_hint(error, "an eyepiece is --eyepiece 10x/22")
-                                        : false;
+        if (char_is_digit(marked[0])) {
+            error_hint(error, "an eyepiece is {--eyepiece} 10x/22");
+        }
+        return false;
     }
     const bool is_assumed = medium == MEDIUM_AUTO;
     if (is_assumed) {
@@ -191,7 +193,7 @@ static bool microscope_find_objective(const struct microscope_input *input,
     row->setting.na = is_marked ? input->objective.number : input->na;
     if (!is_given(row->setting.na)) {
         return fail(error, ERROR_USAGE,
-                    "give the numerical aperture: {objective} 40x/0.65, or {numerical aperture}");
+                    "give the numerical aperture: {--objective} 40x/0.65, or {--na}");
     }
     row->objective = input->objective.name;
     row->tube = input->tube;

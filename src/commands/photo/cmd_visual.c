@@ -62,6 +62,7 @@ static const struct option options[] = {
      ABOVE_0, .excludes = "field-stop",
      .help = "the same as a width at --at: --field-width 330ft --at 1000yd"},
     {MEASURE(at, length, "m", "LENGTH"), REPEATED("at"), ABOVE_0, .fallback = "1000",
+     .wants = "binoculars|field|field-width|field-stop|apparent-field|lens",
      .help = "distance of the width of the field"},
     {MEASURE(obstruction, ratio, NULL, "RATIO"), REPEATED("obstruction"), .lowest = 0, .highest = 1,
      .flags = OPTION_BELOW_HIGHEST, .excludes = "secondary", .wants = "diameter|telescope|aperture",
@@ -199,21 +200,20 @@ static const struct column columns[] = {
      .symbol = "w", .help = "of the Rayleigh limit"},
 };
 
-/* "330ft/1000yd", "330 ft at 1000 yd" and "330ft@1000yd": cut it there. */
+/* "330ft/1000yd", "330ft@1000yd" and "330 ft at 1000 yd": cut it there. */
 static struct text visual_cut_width(struct text *rest)
 {
+    static const char *const between[] = {"/", "@", " at "};
     const struct text whole = *rest;
     for (size_t i = 0; i < whole.length; i++) {
         const struct text here = {whole.start + i, whole.length - i};
-        const size_t length = here.start[0] == '/' || here.start[0] == '@' ? 1
-                              : text_behind(here, " at ").start != NULL    ? 4
-                                                                           : 0;
-        if (length > 0) {
-            *rest = (struct text){here.start + length, here.length - length};
-            return (struct text){whole.start, i};
+        for (size_t k = 0; k < sizeof between / sizeof between[0]; k++) {
+            *rest = text_behind(here, between[k]);
+            if (rest->start != NULL) {
+                return (struct text){whole.start, i};
+            }
         }
     }
-    *rest = (struct text){NULL, 0};
     return whole;
 }
 
@@ -281,9 +281,10 @@ static bool visual_fill_light(const struct visual_input *input, struct visual_ro
 {
     const double D = row->setting.diameter;
     row->eye = (struct visual_eye){input->eye_pupil, input->naked_eye};
-    row->obstruction = is_given(input->secondary)     ? input->secondary / D
-                       : is_given(input->obstruction) ? input->obstruction
-                                                      : 0;
+    row->obstruction = is_given(input->secondary) ? input->secondary / D : input->obstruction;
+    if (!is_given(row->obstruction)) {
+        row->obstruction = 0;
+    }
     row->wavelength = input->wavelength;
     if (!visual_gather(&row->setting, &row->eye, row->obstruction, 1000 * input->wavelength,
                        &row->light, error)) {

@@ -1,0 +1,23 @@
+# telescopes and binoculars before an eye
+lenscalc visual --telescope 1200mm --diameter 200mm --eyepiece 25mm --barlow 2x
+lenscalc visual --telescope 1200 -N 6 --eyepiece 24 --apparent-field 68deg --field-stop 27mm --explain
+lenscalc visual 10x42 --field 6.5deg
+lenscalc visual 8x42 330 ft at 1000 yd --units imperial --eye-pupil 3mm
+lenscalc visual 8x42,10x42,7x50 --csv --columns binoculars,exit_pupil_mm,twilight_factor,relative_brightness
+lenscalc visual Nikon 8x42 7.0deg --value apparent_field --digits 4
+lenscalc visual 8x42 8.8 --json --columns true_field_deg,apparent_field_deg
+lenscalc visual 7x50 --apparent-field 50deg --columns true_field,true_field_ratio
+lenscalc visual --telescope 1200 --diameter 200 --eyepiece 32,25,10,5 --apparent-field 52deg
+lenscalc visual --telescope 2032 -N 10 --obstruction 34% --exit-pupil 2mm --csv --digits 5
+lenscalc visual --diameter 203 --secondary 70mm --columns light_gain,limiting_magnitude
+lenscalc visual --telescope 1000 --diameter 100 --lens erfle-eyepiece
+lenscalc visual --telescope 1000 --diameter 100 --lens erfle-eyepiece --barlow 2 --columns power,eye_relief
+lenscalc visual --diameter 150 --back-focus 55mm --filter-thickness 2mm,3mm --columns filter_thickness,back_focus_filtered
+for wrong in "" "10" "10x42 6.5kg" "8x42 330ft" "8x42 330ft/3s" "8x42 --field 330ft" \
+    "--telescope 1200 --diameter 200 --eyepiece own.lens" "--telescope 1200 --diameter 200 -N 5" \
+    "--telescope 1200 --diameter 200 --eyepiece 25 --power 20" "10x42 --telescope 900" \
+    "7x50 --obstruction 80% --diameter 50" "--diameter 200 --obstruction 99% --power 10" \
+    "--telescope 1200 --diameter 200 --eyepiece 25 --barlow 0" "--diameter 0" "10x42 --field 180"; do
+    lenscalc visual $wrong --columns power
+    echo "status $?"
+done
