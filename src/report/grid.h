@@ -67,8 +67,9 @@ const char *grid_markdown_text(struct arena *arena, const char *string);
 /* Text below a table of LaTeX, with no commands of it; its lines stay lines. */
 void grid_latex_paragraph(struct arena *arena, struct output *output, const char *text);
 
-/* End a table of grid_write_latex, with the note of its grid (may be null) below. */
-void grid_latex_close(const struct grid *grid, struct output *output);
+/* End a table that grid_write_latex began with so many rows behind the head, with the note of its
+   grid (may be null) below. */
+void grid_latex_close(const struct grid *grid, size_t rows, struct output *output);
 
 /* A whole HTML page around tables: written first and last. */
 void grid_html_begin(struct output *output, const char *title);

@@ -4,39 +4,44 @@
 
 #include <string.h>
 
-/* What means something to LaTeX, or other signs than these in its usual fonts. */
+/* What means something to LaTeX, or is another sign or none in its usual fonts. */
 static const struct latex_sign {
-    char sign;
+    const char *sign; /* UTF-8 */
     const char *written;
 } latex_signs[] = {
-    {'\\', "\\textbackslash{}"},
-    {'{', "\\{"},
-    {'}', "\\}"},
-    {'$', "\\$"},
-    {'&', "\\&"},
-    {'#', "\\#"},
-    {'_', "\\_"},
-    {'%', "\\%"},
-    {'~', "\\textasciitilde{}"},
-    {'^', "\\textasciicircum{}"},
-    {'<', "\\textless{}"},
-    {'>', "\\textgreater{}"},
-    {'|', "\\textbar{}"},
+    {"\\", "\\textbackslash{}"},
+    {"{", "\\{"},
+    {"}", "\\}"},
+    {"$", "\\$"},
+    {"&", "\\&"},
+    {"#", "\\#"},
+    {"_", "\\_"},
+    {"%", "\\%"},
+    {"~", "\\textasciitilde{}"},
+    {"^", "\\textasciicircum{}"},
+    {"<", "\\textless{}"},
+    {">", "\\textgreater{}"},
+    {"|", "\\textbar{}"},
     /* the end of a line before takes these for its own arguments */
-    {'[', "{[}"},
-    {'*', "{*}"},
+    {"[", "{[}"},
+    {"*", "{*}"},
+    {"\xce\xbc", "\\ensuremath{\\mu}"},
+    {"\xe2\x80\xb2", "\\ensuremath{'}"},
+    {"\xe2\x80\xb3", "\\ensuremath{''}"},
+    {"\xe2\x81\xb4", "\\ensuremath{^4}"},
+    {"\xe2\x88\x9e", "\\ensuremath{\\infty}"},
+    {"\xe2\x88\x92", "\\ensuremath{-}"},
+    {"\xc6\x92", "\\textit{f}"},
 };
 
-/* The environment. */
-#define TABLE "tabular"
+/* LONGEST_SIGN: bytes written for one; PAGE: rows that surely fit on one. */
+enum { LONGEST_SIGN = 19, PAGE = 40 };
 
-enum { LONGEST_SIGN = 18 };
-
-static const char *latex_sign(char c)
+static const struct latex_sign *latex_sign(const char *text)
 {
     for (size_t i = 0; i < sizeof latex_signs / sizeof latex_signs[0]; i++) {
-        if (latex_signs[i].sign == c) {
-            return latex_signs[i].written;
+        if (strncmp(text, latex_signs[i].sign, strlen(latex_signs[i].sign)) == 0) {
+            return &latex_signs[i];
         }
     }
     return NULL;
@@ -46,15 +51,16 @@ static const char *latex_sign(char c)
 static const char *grid_latex_text(struct arena *arena, const char *string)
 {
     char *text = arena_array(arena, LONGEST_SIGN * strlen(string) + 1, 1), *to = text;
-    for (; *string != '\0'; string++) {
-        const char *written = latex_sign(*string);
-        if (written == NULL) {
-            *to++ = *string;
+    while (*string != '\0') {
+        const struct latex_sign *sign = latex_sign(string);
+        if (sign == NULL) {
+            *to++ = *string++;
             continue;
         }
-        const size_t length = strlen(written);
-        memcpy(to, written, length);
+        const size_t length = strlen(sign->written);
+        memcpy(to, sign->written, length);
         to += length;
+        string += strlen(sign->sign);
     }
     return text;
 }
@@ -89,18 +95,28 @@ static void write_latex_cell(const struct grid *grid, struct output *output, siz
     output_string(output, grid_latex_text(grid->arena, text));
 }
 
+/* Longer than a page: a table in pieces, each with the head. */
+static const char *latex_environment(size_t rows)
+{
+    return rows > PAGE ? "longtable" : "tabular";
+}
+
 void grid_write_latex(const struct grid *grid, struct output *output, bool with_head)
 {
     grid_make_printable(grid);
+    const size_t rows = grid->rows - grid->head_rows;
+    const bool is_long = rows > PAGE;
     if (with_head) {
-        output_string(output, "% needs the package booktabs\n");
+        output_string(output, is_long ? "% needs the packages booktabs and longtable\n"
+                                      : "% needs the package booktabs\n");
         if (grid->title != NULL) {
             output_string(output, "\\noindent\\textbf{");
             output_string(output,
                           grid_latex_text(grid->arena, grid_printable(grid->arena, grid->title)));
             output_string(output, "}\n\n\\smallskip\n");
         }
-        output_string(output, "\\noindent\\begin{" TABLE "}{");
+        output_printf(output, "%s\\begin{%s}{", is_long ? "" : "\\noindent",
+                      latex_environment(rows));
         for (size_t j = 0; j < grid->columns; j++) {
             output_character(output, grid->left[j] ? 'l' : 'r');
         }
@@ -112,13 +128,15 @@ void grid_write_latex(const struct grid *grid, struct output *output, bool with_
             write_latex_cell(grid, output, i, j);
         }
         output_string(output, " \\\\\n");
-        output_string(output, i + 1 == grid->head_rows ? "\\midrule\n" : "");
+        if (i + 1 == grid->head_rows) {
+            output_string(output, is_long ? "\\midrule\n\\endhead\n" : "\\midrule\n");
+        }
     }
 }
 
-void grid_latex_close(const struct grid *grid, struct output *output)
+void grid_latex_close(const struct grid *grid, size_t rows, struct output *output)
 {
-    output_string(output, "\\bottomrule\n\\end{" TABLE "}\n");
+    output_printf(output, "\\bottomrule\n\\end{%s}\n", latex_environment(rows));
     if (grid != NULL && grid->note != NULL) {
         grid_latex_paragraph(grid->arena, output, grid_printable(grid->arena, grid->note));
     }

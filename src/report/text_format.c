@@ -25,6 +25,7 @@ struct text_state {
     struct kept *kept;
     size_t kept_count;
     bool has_layout;
+    size_t laid_out;           /* rows of the grid that was written with its head */
     const struct unit **units; /* one a shown column */
     size_t *widths;
     bool *hidden;      /* one a column of the grid: no room for it on this terminal */
@@ -375,13 +376,14 @@ static void write_table(struct report *report)
         grid.measured = state->widths;
     }
     grid.title = report->title;
+    state->laid_out = grid.rows - grid.head_rows;
     report->format->write_grid(&grid, report->output, true);
 }
 
 /* One answer: a line for each quantity, in words. */
 static void write_list(struct report *report)
 {
-    const struct text_state *state = report->state;
+    struct text_state *state = report->state;
     const bool with_head = report->format == &format_markdown; /* it has no tables without */
     size_t least[3] = {0}, rank[3] = {0};
     struct grid grid = grid_new(report->arena, 3, with_head);
@@ -425,6 +427,7 @@ static void write_list(struct report *report)
         grid_fit(&grid, report->output->width, least, rank);
     }
     grid.title = report->title;
+    state->laid_out = grid.rows - grid.head_rows;
     report->format->write_grid(&grid, report->output, true);
 }
 
@@ -513,7 +516,7 @@ static void text_end(struct report *report)
         grid_html_close(NULL, report->output);
     }
     if (report->format == &format_latex && state->has_layout) {
-        grid_latex_close(NULL, report->output);
+        grid_latex_close(NULL, state->laid_out, report->output);
     }
     text_write_below(report);
     const bool keeps_lines = report->format == &format_text || report->format == &format_markdown;

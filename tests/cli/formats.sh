@@ -11,3 +11,8 @@ lenscalc dof -f 50 -N 2.8 -s 3 --format jsn
 echo "status $?"
 lenscalc dof -f 50 -N 2.8 -s 3 --csv --json
 echo "status $?"
+# more than a page of LaTeX is a longtable, one page a tabular; signs that its fonts lack are written by others
+for count in 40 41; do
+    lenscalc hyperfocal -f 50 -N 1..16#$count --format latex | grep -E 'needs|begin|end'
+done
+lenscalc list units --format latex | grep micrometre

@@ -271,7 +271,7 @@ static void write_grid(struct report *report, const struct grid *grid)
     }
     report->format->write_grid(grid, report->output, !report->is_headless);
     if (report->format == &format_latex) {
-        grid_latex_close(grid, report->output);
+        grid_latex_close(grid, grid->rows - grid->head_rows, report->output);
         if (report->explain != NULL) {
             grid_latex_paragraph(report->arena, report->output, report->explain);
         }
