@@ -171,7 +171,7 @@ class Program:
                                 b"__tsan_init" in content or b"__ubsan_handle" in content)
 
     def environment(self):
-        return {**self.inherited, "LC_ALL": "C", "TERM": "dumb",
+        return {**self.inherited, "LC_ALL": "C", "TERM": "dumb", "LENSCALC_CONFIG": "",
                 "UBSAN_OPTIONS": "halt_on_error=1:print_stacktrace=1"}
 
     def has_solver(self):

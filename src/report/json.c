@@ -169,6 +169,11 @@ static void write_start(struct report *report, const void *row)
         output_string(report->output, report->assumed_count > 0 ? ",\"stops\":\"nominal\""
                                                                 : "\"stops\":\"nominal\"");
     }
+    if (report->defaults != NULL) {
+        const bool is_first = report->assumed_count == 0 && report->nominal == NULL;
+        output_string(report->output, is_first ? "\"defaults\":" : ",\"defaults\":");
+        json_write_string(report->output, report->defaults, strlen(report->defaults));
+    }
     output_string(report->output, "},\"rows\":[");
     for (struct pending_row *at = state->first; at != NULL; at = at->next) {
         output_string(report->output, at == state->first ? "\n" : ",\n");

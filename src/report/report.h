@@ -71,8 +71,9 @@ struct report {
     bool has_good_row;                 /* was a row looked at? */
     const struct selection *selection; /* that chose the columns */
     bool many;                         /* a sweep or a batch: rows lie, even if there is one */
-    const char *nominal; /* what had labels of stop series read as exact values; null = nothing */
-    int digits;          /* significant digits, 0 = as the format does */
+    const char *nominal;  /* what had labels of stop series read as exact values; null = nothing */
+    const char *defaults; /* which of the user's took part: "FILE: sensor ..."; null = none */
+    int digits;           /* significant digits, 0 = as the format does */
     enum unit_system units;
     const char *remedy;      /* what shows columns for which a terminal has no room */
     const char *explain;     /* text to print after the rows, or null */

@@ -34,6 +34,10 @@ const char *report_assumptions(const struct report *report, const void *row)
         line = arena_printf(report->arena, "%s%sstops by their exact values (%s)",
                             line != NULL ? line : first, line != NULL ? next : "", report->nominal);
     }
+    if (report->defaults != NULL) {
+        line = ARENA_JOIN(report->arena, line != NULL ? line : first, line != NULL ? next : "",
+                          "defaults of ", report->defaults);
+    }
     return line;
 }
 

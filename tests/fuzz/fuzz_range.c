@@ -34,6 +34,7 @@ static void try_words(int count, char **words, bool nominal)
     const struct command *command = command_find(text_of("dof"));
     void *input = arena_array(&arena, 1, command->input_size);
     if (arguments_parse(&arguments, command, count, words, &arena, &error) &&
+        arguments_settle(&arguments, &arena, &error) &&
         sweep_build(&sweep, &arguments, &reader, false, input, &error)) {
         REQUIRE(sweep.total >= 1 && sweep.total <= MOST);
         size_t product = 1;

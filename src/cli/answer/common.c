@@ -94,6 +94,12 @@ const struct option common_options[] = {
      .fallback = "lens",
      .help = "the marginal ray of the aperture (f-number, pupil, numerical aperture) that gives "
              "the stop its size"},
+    {COMMON(kit), .name = "kit", .letter = 'K', .value = "NAME", .flags = OPTION_SEVERAL,
+     .excludes = "no-config",
+     .help = "options of a section [kit NAME] of the configuration; several with commas, or "
+             "repeated"},
+    {COMMON(no_config), .name = "no-config",
+     .help = "take no defaults from the configuration (also an empty variable LENSCALC_CONFIG)"},
     {COMMON(color), .name = "color", .value = "WHEN", .flags = OPTION_ASIDE, .words = color_words,
      .fallback = "auto", .help = "colour the heads of tables, warnings and errors"},
     {COMMON(usage), .name = "usage", .letter = 'h', .flags = OPTION_ASIDE,
@@ -236,6 +242,17 @@ static bool fills_stop(const struct command *command)
     return (wants == NULL || wants[0] != '\0') && common_reads(command, READS_LENSES);
 }
 
+bool command_has_defaults(const struct command *command)
+{
+    return command->again == NULL && strcmp(command->group, "tool") != 0;
+}
+
+bool command_solves(const struct command *command)
+{
+    return strcmp(command->group, "photography") == 0 ||
+           strcmp(command->group, "one surface, one lens") == 0;
+}
+
 /* What a command must have for an option to do anything, and what is said where it has not. */
 static const struct {
     const char *option;
@@ -265,6 +282,8 @@ static const struct {
     {"agf", NULL, "uses no glasses", READS_GLASSES},
     {"lossy", NULL, "reads no lenses", READS_LENSES},
     {"glass-numbers", NULL, "reads no lenses", READS_LENSES},
+    {"kit", command_has_defaults, "takes no defaults", 0},
+    {"no-config", command_has_defaults, "takes no defaults", 0},
     {"stop-size", fills_stop, "traces no rays that fill the stop", 0},
 };
 
@@ -287,15 +306,17 @@ static bool overrides(const struct command *command, const struct option *common
 
 const char *command_has_no_use(const struct command *command, const struct option *common)
 {
-    const char *why = NULL;
-    for (size_t i = 0; i < sizeof uses / sizeof uses[0] && why == NULL; i++) {
-        if (common_is_same(uses[i].option, common->name)) {
-            const bool is_used = uses[i].is_used != NULL ? uses[i].is_used(command)
-                                                         : common_reads(command, uses[i].data);
-            why = is_used ? NULL : uses[i].why_not;
-        }
+    enum { COUNT = sizeof uses / sizeof uses[0] };
+    size_t i = 0;
+    while (i < COUNT && !common_is_same(uses[i].option, common->name)) {
+        i++;
     }
-    return why;
+    if (i == COUNT) {
+        return NULL;
+    }
+    const bool is_used =
+        uses[i].is_used != NULL ? uses[i].is_used(command) : common_reads(command, uses[i].data);
+    return is_used ? NULL : uses[i].why_not;
 }
 
 const struct option *command_next_common(const struct command *command, const struct option *before)

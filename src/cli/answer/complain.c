@@ -2,6 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "cli/answer/complain.h"
 
+#include "cli/question/configuration.h"
+
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -142,8 +144,17 @@ void complain_name(struct error *error, const struct arguments *arguments,
 
 void complain(struct error *error, const struct arguments *arguments, const struct batch *batch)
 {
+    struct arena arena = {0};
+    const char *defaults = configuration_words(arguments, &arena);
     complain_name(error, arguments, batch, NULL);
+    /* who reads what is wrong with a question may not think of what was not typed */
+    if (defaults != NULL && error->more == NULL &&
+        strcmp(error->source, arguments->defaults->source) != 0) {
+        error->more =
+            ARENA_JOIN(&arena, "    with defaults of ", defaults, "; --no-config takes none\n");
+    }
     error_print(error, arguments->command->name, arguments->color);
+    arena_free(&arena);
 }
 
 static void write_warning(struct output *output, const char *command, const char *text)
@@ -178,28 +189,40 @@ static void write_absent(struct output *output, const struct report *report)
     }
 }
 
+/* A line, where there is something to say; `command` before it, or null. */
+static void write_said(struct output *output, const char *command, const char *before,
+                       const char *text)
+{
+    if (text != NULL) {
+        if (command != NULL) {
+            output_printf(output, "lenscalc: %s: ", command);
+        }
+        output_string(output, before);
+        voice_string(output, text);
+        output_character(output, '\n');
+    }
+}
+
 void print_beside(const struct report *report, bool is_apart, enum color_when color)
 {
     /* without rows there is neither a format nor an explanation */
     const struct format *format = report->format;
-    bool has_place = format == NULL || format == &format_json || format->is_for_people;
+    const bool states = format != NULL && (format == &format_json || format->is_for_people);
+    const bool has_place = format == NULL || states;
     const char *explain = has_place ? NULL : report->explain;
     size_t warnings = has_place && !is_apart ? 0 : report->doubts->count;
     const bool is_shown = format != NULL && format->is_for_people && !is_apart;
     const char *lead = is_shown ? NULL : report->title;
     const bool are_looked_at = report->are_named && report->has_good_row && !is_apart;
-    if (explain == NULL && warnings == 0 && !are_looked_at && lead == NULL) {
+    const char *defaults = states ? NULL : report->defaults;
+    if (explain == NULL && warnings == 0 && !are_looked_at && lead == NULL && defaults == NULL) {
         return; /* as most: the terminal is not even asked */
     }
     struct voice voice;
     struct output *output = complain_begin(&voice, color);
-    if (lead != NULL) {
-        output_printf(output, "lenscalc: %s: %s\n", report->command, lead);
-    }
-    if (explain != NULL) {
-        voice_string(output, explain);
-        output_character(output, '\n');
-    }
+    write_said(output, report->command, "", lead);
+    write_said(output, report->command, "defaults of ", defaults);
+    write_said(output, NULL, "", explain);
     if (are_looked_at) {
         write_absent(output, report);
     }

@@ -6,6 +6,7 @@
 #include "cli/answer/columns.h"
 #include "cli/answer/complain.h"
 #include "cli/answer/help.h"
+#include "cli/answer/question.h"
 #include "cli/answer/relay.h"
 #include "cli/answer/rows.h"
 #include "cli/batch/batch.h"
@@ -53,6 +54,7 @@ static bool set_up_report(struct driver *driver, struct error *error)
     report->digits = (int)driver->common.digits;
     report->is_headless = driver->common.no_header;
     report->nominal = driver->common.nominal ? "--nominal" : NULL;
+    report->defaults = configuration_words(&driver->arguments, &driver->arena);
     report->units = (enum unit_system)driver->common.units;
     report->many = report->many || driver->is_batch || driver->sweep.total > 1;
     report->has_error_column = (driver->is_batch || driver->sweep.total > 1) &&
@@ -200,10 +202,19 @@ static bool driver_prepare(struct driver *driver, int count, char **words, struc
     driver->lenses.arena = &driver->arena;
     driver->reader =
         (struct reader){.db = &driver->db, .arena = &driver->arena, .lenses = &driver->lenses};
+    driver->asking = (struct option_query){asked_given, asked_in_rows, driver};
     if (!arguments_parse(&driver->arguments, command, count, words, &driver->arena, error) ||
-        !arguments_common(&driver->arguments, &driver->reader, &driver->common, error)) {
+        !question_configure(driver, error) ||
+        !arguments_settle(&driver->arguments, &driver->arena, error)) {
         return false;
     }
+    if (driver->defaults.is_there) {
+        idle_yield(&driver->arguments, &driver->asking);
+    }
+    if (!arguments_common(&driver->arguments, &driver->reader, &driver->common, error)) {
+        return false;
+    }
+    driver->arguments.color = (enum color_when)driver->common.color;
     driver->db.directory = driver->common.lensdb != NULL ? driver->common.lensdb : driver->database;
     driver->db.agf = driver->common.agf;
     driver->db.lossy = driver->common.lossy;
@@ -227,49 +238,7 @@ static bool driver_prepare(struct driver *driver, int count, char **words, struc
                                .emit = driver->is_inside ? rows_emit : rows_emit_amid,
                                .driver = driver};
     driver->reader.nominal = driver->common.nominal;
-    driver->asking = (struct option_query){asked_given, asked_in_rows, driver};
     driver->input = arena_array(&driver->arena, 1, command->input_size);
-    return true;
-}
-
-/* The options as read so far are the constants of all rows. */
-static const struct sheet *asked_sheet(const struct driver *driver)
-{
-    const struct command *command = driver->command;
-    const bool chooses = command->choose_sheet != NULL;
-    return chooses ? command->choose_sheet(driver->input, &driver->asking) : &command->sheet;
-}
-
-static bool open_batch(struct driver *driver, struct error *error)
-{
-    const struct common *common = &driver->common;
-    if (driver->sweep.total > 1) {
-        return fail(error, ERROR_USAGE,
-                    "--batch and options with several values exclude each other");
-    }
-    void *constants = arena_array(&driver->arena, 1, driver->command->input_size);
-    memcpy(constants, driver->input, driver->command->input_size);
-    /* what the header needs lies below the first row's mark and stays */
-    driver->reader.arena = &driver->row_arena;
-    driver->batch = (struct batch){.arguments = &driver->arguments,
-                                   .reader = &driver->reader,
-                                   .arena = &driver->arena,
-                                   .sheet = asked_sheet(driver),
-                                   .commands = driver->commands,
-                                   .constants = constants};
-    if (!batch_open(&driver->batch, common->batch, (enum batch_format)common->batch_format,
-                    error) ||
-        !batch_settle(&driver->batch, asked_sheet(driver), driver->report.format->is_keyed,
-                      error)) {
-        return false;
-    }
-    driver->passed = driver->batch.passed;
-    driver->known_columns = driver->batch.column_count;
-    if (!batch_knows_any(&driver->batch)) {
-        warnings_add(&driver->doubts,
-                     "no column of %s means anything to %s: all its rows have one answer",
-                     driver->batch.source, driver->command->name);
-    }
     return true;
 }
 
@@ -306,19 +275,10 @@ static bool driver_ask(struct driver *driver, struct error *error)
                              !artifacts_asked(command, &driver->arguments);
     if (!common_format(common, arguments_given(&driver->arguments, "format"),
                        &driver->report.format, error) ||
-        !sweep_build(&driver->sweep, &driver->arguments, &driver->reader, common->force,
-                     driver->input, error)) {
+        !question_settle(driver, error)) {
         return false;
     }
-    driver->report.many = command->makes_many != NULL && command->makes_many(driver->input);
-    driver->is_batch = common->batch != NULL;
-    if (driver->is_batch && !open_batch(driver, error)) {
-        return false;
-    }
-    if (!idle_check(&driver->sweep, &driver->arguments, &driver->asking, driver->input, error)) {
-        return false;
-    }
-    const struct sheet *sheet = asked_sheet(driver);
+    const struct sheet *sheet = question_sheet(driver);
     const struct echo_question question = {.command = command,
                                            .sheet = sheet,
                                            .all = driver->common.columns != NULL,
@@ -388,12 +348,10 @@ static bool close_artifacts(struct driver *driver, bool done, struct error *erro
 static int answer_without_rows(struct driver *driver)
 {
     struct error error = {0};
-    bool done =
-        sweep_build(&driver->sweep, &driver->arguments, &driver->reader, false, driver->input,
-                    &error) &&
-        sweep_check_single(&driver->sweep, driver->command, &error) &&
-        idle_check(&driver->sweep, &driver->arguments, &driver->asking, driver->input, &error) &&
-        order_artifacts(driver, &error);
+    bool done = question_settle(driver, &error) &&
+                sweep_check_single(&driver->sweep, driver->command, &error) &&
+                order_artifacts(driver, &error);
+    driver->report.defaults = configuration_words(&driver->arguments, &driver->arena);
     if (done) {
         progress_begin(&driver->progress, driver->command->name, rows_state, driver);
         interrupt_watch(rows_interrupted, driver); /* what there is so far may be worth something */
@@ -514,7 +472,7 @@ bool command_embed(const struct embedded_command *embedding, struct run *outer,
 }
 
 static int execute(const struct again *question, const struct command *const *commands, char **argv,
-                   const char *database);
+                   const char *database, bool is_again);
 
 static int answer_question(struct driver *driver, char **argv)
 {
@@ -536,7 +494,7 @@ static int answer_question(struct driver *driver, char **argv)
             complain(&error, &driver->arguments, &driver->batch);
             return (int)error.code;
         }
-        return execute(&question, driver->commands, argv, driver->database);
+        return execute(&question, driver->commands, argv, driver->database, true);
     }
     const bool lacks = relay_is_wanted(command, &driver->arguments) &&
                        !relay_to_ceres(argv, &driver->arena, &missing);
@@ -548,10 +506,12 @@ static int answer_question(struct driver *driver, char **argv)
 
 /* Given argv, that of the program, for another one to take over. */
 static int execute(const struct again *question, const struct command *const *commands, char **argv,
-                   const char *database)
+                   const char *database, bool is_again)
 {
-    struct driver driver = {
-        .command = question->command, .commands = commands, .database = database};
+    struct driver driver = {.command = question->command,
+                            .commands = commands,
+                            .database = database,
+                            .is_again = is_again};
     struct error error = {0};
     int status;
     if (!driver_prepare(&driver, question->count, question->words, &error)) {
@@ -570,5 +530,5 @@ int command_execute(const struct command *command, const struct command *const *
                     char **argv, const char *database)
 {
     const struct again question = {.command = command, .words = argv + 2, .count = argc - 2};
-    return execute(&question, commands, argv, database);
+    return execute(&question, commands, argv, database, false);
 }

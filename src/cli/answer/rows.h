@@ -9,6 +9,7 @@
 #include "cli/batch/gaps.h"
 #include "cli/batch/queue.h"
 #include "cli/progress.h"
+#include "cli/question/configuration.h"
 #include "cli/question/echo.h"
 
 /* One command at work. */
@@ -21,6 +22,7 @@ struct driver {
     struct reader reader;
     struct lens_cache lenses;
     struct arguments arguments;
+    struct config_file defaults; /* of the user's */
     struct common common;
     struct sweep sweep;
     struct batch batch;
@@ -40,9 +42,11 @@ struct driver {
     const void *answered;             /* the input whose rows come */
     const struct passed_cell *passed; /* columns handed through, of the row being printed */
     void *input;
+    void *constants; /* of a batch: the input as options set it */
     const char *database;
     bool is_batch, is_open, begun, collects;
     bool is_inside; /* another command: its answer stays in memory, nothing is said */
+    bool is_again;  /* asked by another command: its words say all, as they did the first time */
     size_t index;   /* of the present combination of the sweep */
     size_t good, failed;
     struct error said;     /* the last failure that was printed, as it came */

@@ -247,8 +247,10 @@ static bool has_all_settings(const struct batch *batch)
             continue;
         }
         any = true;
-        if (!batch_has(batch, option->name) && !arguments_given(batch->arguments, option->name)) {
-            return false;
+        const struct argument *argument = arguments_find(batch->arguments, text_of(option->name));
+        if (!batch_has(batch, option->name) &&
+            !(argument->is_given && argument_rank(argument) >= RANK_KIT)) {
+            return false; /* a default gives way to a goal */
         }
     }
     return any;

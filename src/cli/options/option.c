@@ -19,6 +19,20 @@ const char *option_called(const struct option *option, struct called *room)
     return room->text;
 }
 
+bool option_is_named(const struct option *option, struct text name)
+{
+    const char *known = option->name;
+    size_t at = 0;
+    if (name.length > 0 && name.start[0] != known[0]) {
+        return false; /* as most: every start compares some hundreds of them */
+    }
+    while (at < name.length && known[at] != '\0' &&
+           (name.start[at] == known[at] || (name.start[at] == '_' && known[at] == '-'))) {
+        at++;
+    }
+    return at == name.length && known[at] == '\0';
+}
+
 bool option_is_quantity(const struct option *option, struct text quantity)
 {
     const char *own = option->quantity != NULL ? option->quantity : option->name;
@@ -388,7 +402,7 @@ static bool read_coc(const struct reader *reader, const struct option *option, s
     }
     *(struct coc_value *)member = (struct coc_value){
         coc, length ? COC_GIVEN : arena_string(reader->arena, trimmed.start, trimmed.length),
-        reader->fallback};
+        reader->fallback || reader->gives_way};
     return true;
 }
 

@@ -31,6 +31,7 @@ struct reader {
     struct arena *arena;       /* for what the value points to */
     bool nominal;              /* labels of stop series stand for their exact values */
     bool fallback;             /* the text is what the program assumes, not what the user typed */
+    bool gives_way;            /* it is a default of the user's: what is asked for comes first */
     struct lens_cache *lenses; /* null = every lens is read anew */
     bool recalls; /* of a list of values that are large, names may do: see option_kind.recall */
     struct warnings *doubts; /* of values that are legal but odd; null = nobody listens */
@@ -399,6 +400,9 @@ const char *option_called(const struct option *option, struct called *room);
 #define CALLED(option) option_called((option), &(struct called){{0}})
 /* And what was typed for it, for "%s '%.*s'". */
 #define TYPED(option, text) CALLED(option), text_shown(text), (text).start
+
+/* Is it the option's name, where '_' may stand for '-', as people write it? */
+bool option_is_named(const struct option *option, struct text name);
 
 /* Is it what the formulas call by this name? */
 bool option_is_quantity(const struct option *option, struct text quantity);

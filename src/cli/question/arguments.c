@@ -6,22 +6,10 @@
 
 #include <string.h>
 
-/* As people write option names: '_' may stand for '-'. */
-static bool arguments_is_called(const struct option *option, struct text name)
-{
-    const char *known = option->name;
-    size_t at = 0;
-    while (at < name.length && known[at] != '\0' &&
-           (name.start[at] == known[at] || (name.start[at] == '_' && known[at] == '-'))) {
-        at++;
-    }
-    return at == name.length && known[at] == '\0';
-}
-
 struct argument *arguments_find(const struct arguments *arguments, struct text name)
 {
     for (size_t i = 0; i < arguments->count; i++) {
-        if (arguments_is_called(arguments->all[i].option, name)) {
+        if (option_is_named(arguments->all[i].option, name)) {
             return &arguments->all[i];
         }
     }
@@ -35,6 +23,31 @@ bool arguments_given(const struct arguments *arguments, const char *name)
         given = strcmp(arguments->given[i], name) == 0;
     }
     return given;
+}
+
+void arguments_note_given(struct arguments *arguments)
+{
+    arguments->given_count = 0;
+    for (size_t i = 0; i < arguments->count; i++) {
+        if (arguments->all[i].is_given) {
+            arguments->given[arguments->given_count++] = arguments->all[i].option->name;
+        }
+    }
+}
+
+void arguments_withdraw(struct arguments *arguments, struct argument *argument)
+{
+    argument->is_given = false;
+    argument->text = (struct text){NULL, 0};
+    argument->entry = NULL;
+    arguments_note_given(arguments);
+}
+
+enum argument_rank argument_rank(const struct argument *argument)
+{
+    static const enum argument_rank ranks[] = {
+        [CONFIG_ALL] = RANK_ALL, [CONFIG_COMMAND] = RANK_COMMAND, [CONFIG_KIT] = RANK_KIT};
+    return argument->entry == NULL ? RANK_TYPED : ranks[argument->entry->scope];
 }
 
 /* What other programs, and the trade, call what is an option here. */
@@ -97,14 +110,14 @@ static bool arguments_unknown(const struct arguments *arguments, struct text nam
     struct nearest nearest = {.typed = name};
     for (size_t i = 0; i < common_option_count; i++) {
         const char *why = command_has_no_use(arguments->command, &common_options[i]);
-        if (why != NULL && arguments_is_called(&common_options[i], name)) {
+        if (why != NULL && option_is_named(&common_options[i], name)) {
             return fail(error, ERROR_USAGE, "--%s does nothing here: %s %s", common_options[i].name,
                         arguments->command->name, why);
         }
     }
     const struct command *other = arguments->command->other;
     for (size_t i = 1; other != NULL && i < other->option_count; i++) {
-        if (arguments_is_called(&other->options[i], name)) {
+        if (option_is_named(&other->options[i], name)) {
             return fail(error, ERROR_USAGE, "--%s needs --%s", other->options[i].name,
                         other->options[0].name);
         }
@@ -130,8 +143,6 @@ struct words {
     char **all;
     struct arena *arena;
     struct argument *last; /* whose value was read last; null behind flags and operands */
-    struct text *operands; /* values without their options, see cli/question/operands.h */
-    size_t operand_count;
 };
 
 static bool is_flag(const struct argument *argument)
@@ -322,9 +333,9 @@ static bool parse_operand(struct arguments *arguments, struct text word, struct 
     const int at = words->at - 1;
     const size_t used =
         operands_read(arguments->command, words->all + at, (size_t)(words->count - at),
-                      &words->operands[words->operand_count], arena);
+                      &arguments->operands[arguments->operand_count], arena);
     if (used > 0) {
-        words->operand_count++;
+        arguments->operand_count++;
         words->at = at + (int)used;
         words->last = NULL;
         return true;
@@ -351,26 +362,32 @@ static bool parse_operand(struct arguments *arguments, struct text word, struct 
     return unexpected(arguments, words, word, error);
 }
 
-/* Values without their options get them; whose option is given as well is refused. */
-static bool arguments_settle(const struct arguments *arguments, const struct words *words,
-                             struct error *error)
+bool arguments_settle(struct arguments *arguments, struct arena *arena, struct error *error)
 {
-    const size_t count = words->operand_count;
-    const struct option **options = ARENA_ARRAY(words->arena, count + 1, const struct option *);
-    if (!operands_settle(arguments->command, words->operands, count, options, error)) {
+    const size_t count = arguments->operand_count;
+    if (count == 0) {
+        return true;
+    }
+    const struct option **options = ARENA_ARRAY(arena, count, const struct option *);
+    const bool has_focal =
+        arguments_given(arguments, "focal-length") || arguments_given(arguments, "lens");
+    if (!operands_settle(arguments->command, arguments->operands, count, has_focal, options,
+                         error)) {
         return false;
     }
     for (size_t i = 0; i < count; i++) {
         struct argument *argument = arguments_find(arguments, text_of(options[i]->name));
-        const struct text word = words->operands[i];
-        if (argument->is_given) {
+        const struct text word = arguments->operands[i];
+        if (argument->is_given && argument->entry == NULL) {
             fail(error, ERROR_USAGE, "'%.*s' stands for --%s, which is given as well",
                  text_shown(word), word.start, options[i]->name);
             return error_hint(error, "name the option that it belongs to");
         }
         argument->is_given = true;
+        argument->entry = NULL;
         argument->text = word;
     }
+    arguments_note_given(arguments);
     return true;
 }
 
@@ -409,13 +426,11 @@ static bool check_standard_input(const struct arguments *arguments, struct error
 bool arguments_parse(struct arguments *arguments, const struct command *command, int count,
                      char **all, struct arena *arena, struct error *error)
 {
-    struct words words = {.count = count,
-                          .all = all,
-                          .arena = arena,
-                          .operands = ARENA_ARRAY(arena, (size_t)count + 1, struct text)};
+    struct words words = {.count = count, .all = all, .arena = arena};
     bool options_end = false;
     arguments->command = command;
     arguments->color = color_of(count, all);
+    arguments->operands = ARENA_ARRAY(arena, (size_t)count + 1, struct text);
     size_t own = command->option_count + command->artifact_count;
     arguments->all = ARENA_ARRAY(arena, own + common_option_count, struct argument);
     for (size_t i = 0; i < own; i++) {
@@ -449,16 +464,26 @@ bool arguments_parse(struct arguments *arguments, const struct command *command,
             return false;
         }
     }
-    if (!arguments_settle(arguments, &words, error)) {
+    arguments->given = ARENA_ARRAY(arena, arguments->count, const char *);
+    arguments_note_given(arguments);
+    return check_standard_input(arguments, error);
+}
+
+bool argument_blame(const struct arguments *arguments, const struct argument *argument,
+                    struct error *error)
+{
+    const struct config_entry *entry = argument->entry;
+    if (entry == NULL || error->source[0] != '\0' ||
+        (error->code != ERROR_USAGE && error->code != ERROR_DOMAIN)) {
         return false;
     }
-    arguments->given = ARENA_ARRAY(arena, arguments->count, const char *);
-    for (size_t i = 0; i < arguments->count; i++) {
-        if (arguments->all[i].is_given) {
-            arguments->given[arguments->given_count++] = arguments->all[i].option->name;
-        }
+    const struct error found = *error;
+    struct text part = entry->value;
+    if (found.caret > 0 && (size_t)found.caret <= part.length) {
+        part.start += found.caret - 1;
     }
-    return check_standard_input(arguments, error);
+    config_file_fail(arguments->defaults, entry, part, error, "%s", found.message);
+    return found.hint[0] != '\0' && error_hint(error, "%s", found.hint);
 }
 
 bool arguments_common(const struct arguments *arguments, const struct reader *reader,
@@ -476,7 +501,7 @@ bool arguments_common(const struct arguments *arguments, const struct reader *re
         } else if (argument->is_given || option->fallback != NULL) {
             struct text text = argument->is_given ? argument->text : text_of(option->fallback);
             if (!option_read(reader, option, text, member, error)) {
-                return false;
+                return argument_blame(arguments, argument, error);
             }
         }
     }

@@ -171,8 +171,9 @@ const struct command *command_asked(const struct command *command, int count, ch
 
 /* The options of every command, and the struct they fill. */
 struct common {
-    bool explain, csv, tsv, json, jsonl, no_header, nominal, force, fail_fast, lossy, usage, help;
-    const char *columns, *value, *output, *lensdb, *agf, *batch, *table, *plot;
+    bool explain, csv, tsv, json, jsonl, no_header, nominal, force, fail_fast, lossy, no_config;
+    bool usage, help;
+    const char *columns, *value, *output, *lensdb, *agf, *batch, *table, *plot, *kit;
     int format, batch_format, units, color;
     int glass_numbers; /* enum glass_numbers */
     int stop_size;     /* enum stop_size */
@@ -193,6 +194,12 @@ const struct option *command_next_common(const struct command *command,
 
 /* "prints no rows": why a common option would do nothing; null: it does something. */
 const char *command_has_no_use(const struct command *command, const struct option *common);
+
+/* Does it take the defaults of the user's configuration? A tool does not, nor what asks again. */
+bool command_has_defaults(const struct command *command);
+
+/* Does it solve for what is not given, so that a value may be one too many? */
+bool command_solves(const struct command *command);
 
 /* For `makes_many`, of a command whose answers have several rows whatever is asked. */
 bool command_always_many(const void *input);

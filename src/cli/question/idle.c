@@ -9,7 +9,7 @@
 
 /* What is asked, as the checks below look at it. */
 struct idle {
-    const struct sweep *sweep;
+    const struct sweep *sweep; /* null: values are not known yet */
     const struct arguments *arguments;
     const struct option_query *asking;
     const void *input;
@@ -131,25 +131,75 @@ static const struct {
                 {"stop-size", "lens", READS_LENSES},
                 {"agf", "lens or glass", READS_GLASSES}};
 
+/* Of each line one option leaves the others of the configuration nothing to say: options that the
+   rows of a batch may have side by side, and formats, which are refused elsewhere. */
+static const char *const rivals[] = {"lens focal-length", "format csv tsv json jsonl value",
+                                     "columns table plot value"};
+
+/* The option of a list that is asked for; null: none is. */
+static struct argument *idle_any_of(const struct idle *idle, const char *list,
+                                    const struct option *except)
+{
+    struct text rest = text_of(list != NULL ? list : "");
+    while (rest.length > 0) {
+        /* a common one that the command has no use for is not there */
+        struct argument *found = arguments_find(idle->arguments, text_cut(&rest, ' '));
+        if (found != NULL && found->option != except &&
+            asking_given(idle->asking, found->option->name)) {
+            return found;
+        }
+    }
+    return NULL;
+}
+
+/* The one of two options that exclude each other which is of the configuration, and gives way;
+   null: both were meant. */
+static struct argument *idle_weaker(struct argument *a, struct argument *b)
+{
+    /* what only a column of a batch gives is typed, too */
+    const enum argument_rank of_a = a->is_given ? argument_rank(a) : RANK_TYPED;
+    const enum argument_rank of_b = b->is_given ? argument_rank(b) : RANK_TYPED;
+    if (of_a == of_b) {
+        return NULL;
+    }
+    return of_a < of_b ? a : b;
+}
+
+/* An option of the configuration that has to give way to another; null: none has. */
+static struct argument *idle_yielding(const struct idle *idle, struct argument *argument)
+{
+    const struct option *option = argument->option;
+    struct argument *other = idle_any_of(idle, option->excludes, option);
+    struct argument *yielding = other != NULL ? idle_weaker(argument, other) : NULL;
+    for (size_t i = 0; i < sizeof rivals / sizeof rivals[0] && yielding == NULL; i++) {
+        if (text_lists(rivals[i], text_of(option->name))) {
+            other = idle_any_of(idle, rivals[i], option);
+            yielding = other != NULL ? idle_weaker(argument, other) : NULL;
+        }
+    }
+    return yielding;
+}
+
+void idle_yield(struct arguments *arguments, const struct option_query *asking)
+{
+    const struct idle idle = {.arguments = arguments, .asking = asking};
+    for (size_t i = 0; i < arguments->count; i++) {
+        struct argument *yielding =
+            arguments->all[i].is_given ? idle_yielding(&idle, &arguments->all[i]) : NULL;
+        if (yielding != NULL) {
+            arguments_withdraw(arguments, yielding);
+            i = (size_t)-1; /* the others anew, without it */
+        }
+    }
+}
+
 static bool check_option(const struct idle *idle, const struct option *option, struct error *error)
 {
     char words[120] = "";
-    /* the option that is asked for of those that this one excludes; null = none */
-    const struct option *other = NULL;
-    const char *list = option->excludes != NULL ? option->excludes : "";
-    while (*list != '\0' && other == NULL) {
-        size_t length = strcspn(list, " ");
-        /* a common one that the command has no use for is not there */
-        const struct argument *excluded =
-            arguments_find(idle->arguments, text_between(list, list + length));
-        if (excluded != NULL && asking_given(idle->asking, excluded->option->name)) {
-            other = excluded->option;
-        }
-        list += length + (list[length] == ' ');
-    }
+    const struct argument *other = idle_any_of(idle, option->excludes, option);
     if (other != NULL) {
         return fail(error, ERROR_USAGE, "{--%s} and {--%s} exclude each other%s%s", option->name,
-                    other->name, option->why != NULL ? ": " : "",
+                    other->option->name, option->why != NULL ? ": " : "",
                     option->why != NULL ? option->why : "");
     }
     if (option->wants != NULL && !has_wanted(idle, option->wants, words, sizeof words)) {
@@ -173,14 +223,48 @@ static bool check_option(const struct idle *idle, const struct option *option, s
     return true;
 }
 
-bool idle_check(const struct sweep *sweep, const struct arguments *arguments,
-                const struct option_query *asking, const void *input, struct error *error)
+/* What a check that failed blames may be of the configuration: the option itself, or the circle of
+   confusion that it does not serve. */
+static struct argument *idle_blamed(const struct idle *idle, struct argument *argument)
+{
+    if (argument->entry != NULL) {
+        return argument;
+    }
+    for (size_t i = 0; argument->option->serves != NULL && i < idle->arguments->count; i++) {
+        struct argument *other = &idle->arguments->all[i];
+        if (other->option->kind == &kind_coc && other->entry != NULL) {
+            return other;
+        }
+    }
+    return NULL;
+}
+
+bool idle_check(const struct sweep *sweep, struct arguments *arguments,
+                const struct option_query *asking, const void *input, bool *withdrawn,
+                struct error *error)
 {
     const struct idle idle = {sweep, arguments, asking, input};
+    const bool has_defaults = arguments->defaults != NULL && arguments->defaults->is_there;
+    *withdrawn = false;
     for (size_t i = 0; i < arguments->count; i++) {
-        const struct option *option = arguments->all[i].option;
-        if (arguments->all[i].is_given && !check_option(&idle, option, error)) {
-            return false;
+        struct argument *argument = &arguments->all[i];
+        struct argument *yielding = NULL;
+        if (!argument->is_given) {
+            continue;
+        }
+        if (has_defaults) {
+            yielding = idle_yielding(&idle, argument);
+        }
+        if (yielding == NULL && !check_option(&idle, argument->option, error)) {
+            yielding = idle_blamed(&idle, argument);
+            if (yielding == NULL) {
+                return false;
+            }
+        }
+        if (yielding != NULL) {
+            arguments_withdraw(arguments, yielding);
+            *withdrawn = true;
+            i = (size_t)-1; /* the others anew, without it */
         }
     }
     return true;

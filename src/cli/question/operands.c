@@ -151,10 +151,24 @@ static bool operand_refuse(const struct command *command, struct text word, stru
                 text_shown(word), word.start, names[0], names[1]);
 }
 
-bool operands_settle(const struct command *command, const struct text *operands, size_t count,
-                     const struct option **options, struct error *error)
+/* Is one of them a length, and no more? */
+static bool operands_have_one_length(const struct text *operands, size_t count,
+                                     const struct option *length)
 {
+    size_t found = 0;
+    for (size_t i = 0; i < count; i++) {
+        found += operand_is_of(operands[i], length);
+    }
+    return found == 1;
+}
+
+bool operands_settle(const struct command *command, const struct text *operands, size_t count,
+                     bool has_focal, const struct option **options, struct error *error)
+{
+    enum { FOCAL, DISTANCE = 2 }; /* of operand_options */
     bool is_taken[OPERAND_OPTIONS] = {false};
+    is_taken[FOCAL] = has_focal && operand_option(command, DISTANCE) != NULL &&
+                      operands_have_one_length(operands, count, operand_option(command, DISTANCE));
     for (size_t i = 0; i < count; i++) {
         const size_t found = operand_find(command, operands[i], is_taken);
         if (found == OPERAND_OPTIONS) {

@@ -19,11 +19,12 @@ size_t operands_read(const struct command *command, char *const *words, size_t c
 /*
  * The option of each: of two lengths the first is the focal length, the second the distance.
  *
- * Given     options  receives count of them
+ * Given     has_focal  the focal length, or the lens, is known: a single length is the distance
+ *           options  receives count of them
  * Errors    ERROR_USAGE: no option is left for one
  */
 bool operands_settle(const struct command *command, const struct text *operands, size_t count,
-                     const struct option **options, struct error *error);
+                     bool has_focal, const struct option **options, struct error *error);
 
 /* " [50mm] [f/2.8] [3m]", for the usage of a command; "" if it takes none. */
 const char *operands_usage(const struct command *command, struct arena *arena);

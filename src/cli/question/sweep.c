@@ -484,6 +484,9 @@ static bool set_option(struct sweep *sweep, const struct argument *argument,
         return true;
     }
     if (argument->is_given) {
+        struct reader own = *reader;
+        own.gives_way = argument_rank(argument) < RANK_KIT;
+        values.reader = &own;
         return set_values(sweep, &values, argument->text, member, error);
     }
     /* what the program assumes by itself is not a label of the user's */
@@ -553,7 +556,7 @@ bool sweep_build(struct sweep *sweep, const struct arguments *arguments,
         const struct argument *argument = &arguments->all[i];
         void *member = (char *)input + argument->option->offset;
         if (!set_option(sweep, argument, reader, force, member, error)) {
-            return false;
+            return argument_blame(arguments, argument, error);
         }
     }
     sweep->focal = focal_options_of(arguments->command->options, arguments->command->option_count);

@@ -19,6 +19,7 @@ static const struct word topic_words[] = {
     {"commands", "commands of this program"},
     {"options", "options of every command"},
     {"columns", "columns that a command prints: list columns dof"},
+    {"config", "your own defaults and kits, and which file they are from"},
     {NULL, NULL},
 };
 
@@ -26,7 +27,7 @@ static const struct word topic_words[] = {
 static const struct topic *const topics[] = {
     &topic_lenses,   &topic_formats,  &topic_cameras,    &topic_films,   &topic_scenes,
     &topic_filters,  &topic_glasses,  &topic_tolerances, &topic_stops,   &topic_units,
-    &topic_keywords, &topic_commands, &topic_options,    &topic_columns,
+    &topic_keywords, &topic_commands, &topic_options,    &topic_columns, &topic_config,
 };
 
 #define INPUT struct list_input
@@ -39,15 +40,15 @@ static const struct option options[] = {
     {ASKED(kind), .name = "kind", .value = "KIND",
      .help = "only this class of lenses or formats, maker of cameras or films, kind of filters, "
              "catalogue of glasses, grade of tolerances, series of stops, dimension of units, "
-             "format of keywords, group of commands, command of options and columns"},
+             "format of keywords, group of commands, command of options and columns, command or "
+             "kit of config"},
 };
 
 static const struct sheet *const sheets[] = {
-    &topic_lenses.sheet,  &topic_formats.sheet,    &topic_cameras.sheet,
-    &topic_films.sheet,   &topic_scenes.sheet,     &topic_filters.sheet,
-    &topic_glasses.sheet, &topic_tolerances.sheet, &topic_stops.sheet,
-    &topic_units.sheet,   &topic_keywords.sheet,   &topic_commands.sheet,
-    &topic_options.sheet, &topic_columns.sheet,    NULL};
+    &topic_lenses.sheet,  &topic_formats.sheet, &topic_cameras.sheet,  &topic_films.sheet,
+    &topic_scenes.sheet,  &topic_filters.sheet, &topic_glasses.sheet,  &topic_tolerances.sheet,
+    &topic_stops.sheet,   &topic_units.sheet,   &topic_keywords.sheet, &topic_commands.sheet,
+    &topic_options.sheet, &topic_columns.sheet, &topic_config.sheet,   NULL};
 
 static const struct sheet *list_choose_sheet(const void *data, const struct option_query *asking)
 {
@@ -92,7 +93,7 @@ const struct command command_list = {
     .name = "list",
     .group = "data",
     .summary = "lenses, formats, cameras, films, scenes, filters, glasses, tolerances, stops, "
-               "units, commands, options, columns",
+               "units, commands, options, columns, config",
     COMMAND_ASKS(struct list_input),
     .choose_sheet = list_choose_sheet,
     .sheets = sheets,

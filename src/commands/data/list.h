@@ -46,6 +46,6 @@ const char *list_place(enum lensdb_place place);
 
 extern const struct topic topic_lenses, topic_formats, topic_cameras, topic_films, topic_scenes,
     topic_filters, topic_stops, topic_tolerances, topic_units, topic_commands, topic_options,
-    topic_glasses, topic_keywords, topic_columns;
+    topic_glasses, topic_keywords, topic_columns, topic_config;
 
 #endif
