@@ -50,6 +50,10 @@ static bool config_read_section(const struct config_file *file, struct config_en
                         (kit.start != NULL && (kit.start[0] == ' ' || kit.start[0] == '\t'));
     entry->scope = is_kit ? CONFIG_KIT : CONFIG_COMMAND;
     entry->section = is_kit ? text_trim(kit) : rest;
+    const struct text name = entry->section;
+    if (name.length > 1 && name.start[0] == '"' && name.start[name.length - 1] == '"') {
+        entry->section = text_trim(text_between(name.start + 1, name.start + name.length - 1));
+    }
     if (entry->section.length == 0) {
         return config_file_fail(file, entry, typed, error, "%s",
                                 is_kit ? "a kit has a name: [kit NAME]"

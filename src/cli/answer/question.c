@@ -116,7 +116,7 @@ static bool trial_emit(struct run *run, const void *row)
     return true;
 }
 
-/* Has the first combination of the question an answer? It leaves nothing behind. */
+/* Has the first combination an answer, that is not to another question? It leaves nothing behind. */
 static bool trial_is_answered(struct driver *driver)
 {
     struct arena rows = {0}, kept = {0};
@@ -134,7 +134,7 @@ static bool trial_is_answered(struct driver *driver)
     void *input = arena_array(&kept, 1, driver->command->input_size);
     memcpy(input, driver->input, driver->command->input_size);
     const bool done = sweep_recall(&driver->sweep, 0, input, &ignored) &&
-                      driver->command->run(input, &run, &ignored);
+                      driver->command->run(input, &run, &ignored) && leads.title == NULL;
     arena_free(&rows);
     arena_free(&doubts.arena);
     arena_free(&kept);

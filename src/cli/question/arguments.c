@@ -312,7 +312,12 @@ static bool unexpected(const struct arguments *arguments, const struct words *wo
                           last->option->name, text_shown(last->text), last->text.start,
                           text_shown(word), word.start);
     }
-    if (word.length > 0 && strchr("+.0123456789", word.start[0]) != NULL && example != NULL) {
+    const bool is_number = word.length > 0 && strchr("+.0123456789", word.start[0]) != NULL;
+    const char *values = operands_example(arguments->command, words->arena);
+    if (is_number && values != NULL) {
+        return error_hint(error, "values have units, as in 'lenscalc %s', or options", values);
+    }
+    if (is_number && example != NULL) {
         return error_hint(error, "numbers follow their option, as in 'lenscalc %s'",
                           example->arguments);
     }

@@ -180,6 +180,21 @@ bool operands_settle(const struct command *command, const struct text *operands,
     return true;
 }
 
+const char *operands_example(const struct command *command, struct arena *arena)
+{
+    enum { MOST = 3 };
+    const char *example = NULL;
+    size_t count = 0;
+    for (size_t i = 0; i < OPERAND_OPTIONS && count < MOST && !command_has_operands(command); i++) {
+        if (operand_option(command, i) != NULL) {
+            example = ARENA_JOIN(arena, count > 0 ? example : command->name, " ",
+                                 operand_options[i].example);
+            count++;
+        }
+    }
+    return count > 1 ? example : NULL;
+}
+
 const char *operands_usage(const struct command *command, struct arena *arena)
 {
     const char *usage = "";

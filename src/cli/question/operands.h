@@ -26,6 +26,9 @@ size_t operands_read(const struct command *command, char *const *words, size_t c
 bool operands_settle(const struct command *command, const struct text *operands, size_t count,
                      bool has_focal, const struct option **options, struct error *error);
 
+/* "dof 50mm f/2.8 3m": a question with the first of them; null if it takes fewer than two. */
+const char *operands_example(const struct command *command, struct arena *arena);
+
 /* " [50mm] [f/2.8] [3m]", for the usage of a command; "" if it takes none. */
 const char *operands_usage(const struct command *command, struct arena *arena);
 
