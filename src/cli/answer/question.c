@@ -116,7 +116,7 @@ static bool trial_emit(struct run *run, const void *row)
     return true;
 }
 
-/* Has the first combination an answer, that is not to another question? It leaves nothing behind. */
+/* Has the first combination an answer, and to the question asked? It leaves nothing behind. */
 static bool trial_is_answered(struct driver *driver)
 {
     struct arena rows = {0}, kept = {0};
