@@ -5,6 +5,7 @@
 #include "check.h"
 #include "photo/fov_solve.h"
 #include "photo/pixel_density.h"
+#include "photo/telecentric.h"
 
 /* Sukhamburg, line scan cameras, focal length: b = 0.099 and OO' = 605 mm want 605/(10.1 + 2). */
 static void test_focal_length_from_sensor(void)
@@ -60,8 +61,28 @@ static void test_viewing_tasks(void)
     check_source(NULL, "");
 }
 
+/* Depth 2 c N/m^2, by N or by the aperture at the subject; opto-e: WFN p k/m^2, k 0.015 mm/um. */
+static void test_telecentric(void)
+{
+    struct error error;
+    double depth = 0;
+    CHECK(telecentric_depth(0.5, 8, 0.005, &depth, &error));
+    CHECK_RELATIVE(depth, 0.32, 4 * DBL_EPSILON, "2 0.005 8/0.25");
+    CHECK_RELATIVE(telecentric_fnumber(0.5, 0.05), 5.0, 4 * DBL_EPSILON, "m/(2 NA)");
+    CHECK(telecentric_depth(0.5, telecentric_fnumber(0.5, 0.05), 0.005, &depth, &error));
+    CHECK_RELATIVE(depth, 0.2, 4 * DBL_EPSILON, "c/(m NA)");
+    check_source("vision", "mm");
+    CHECK(telecentric_depth(0.38, 9.104, 7.5 * 0.0044, &depth, &error));
+    CHECK_NEAR(depth, 9.104 * 4.4 * 0.015 / (0.38 * 0.38), 1e-12, "opto-e, k 0.015: depth");
+    check_source(NULL, "");
+    CHECK(!telecentric_depth(0, 8, 0.005, &depth, &error));
+    CHECK(!telecentric_depth(1, -8, 0.005, &depth, &error));
+    CHECK(!telecentric_depth(1, 8, 0, &depth, &error));
+}
+
 int main(void)
 {
+    test_telecentric();
     test_focal_length_from_sensor();
     test_line_rate();
     test_viewing_tasks();

@@ -232,7 +232,8 @@ struct option_kind {
 extern const struct option_kind kind_quantity, kind_focal, kind_choice, kind_flag, kind_text,
     kind_count, kind_sensor, kind_coc, kind_loss, kind_film, kind_scene, kind_series, kind_glass,
     kind_interval, kind_lens, kind_lens_text, kind_wavelength, kind_vector, kind_pupil, kind_plane,
-    kind_target, kind_fields, kind_spectrum, kind_print, kind_pixels, kind_marking, kind_part;
+    kind_target, kind_fields, kind_spectrum, kind_print, kind_pixels, kind_marking, kind_size,
+    kind_part;
 
 /* A sensor as the user named it. */
 struct sensor_value {
@@ -243,6 +244,11 @@ struct sensor_value {
     bool is_fallback;       /* nobody named it */
     bool is_wide;           /* of a camera whose lens is fixed and wide: phone, drone, action */
     bool is_optical;        /* an optical format, "1/2.8in": its shape is not sure */
+};
+
+/* Two sides as the user wrote them, "100x75mm", mm; NaN = not given. */
+struct size_value {
+    double width, height;
 };
 
 /* Numbers of pixels as the user wrote them; NaN = not given. */
@@ -317,6 +323,7 @@ struct coc_value {
         struct print_value: &kind_print, \
         struct pixels_value: &kind_pixels, \
         struct marking_value: &kind_marking, \
+        struct size_value: &kind_size, \
         struct part: &kind_part)
 
 #define OPTION(S, member) .kind = OPTION_KIND(S, member), .offset = offsetof(S, member)

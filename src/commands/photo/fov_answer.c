@@ -43,6 +43,24 @@ const struct word fov_tasks[] = {
 static const char *const unknowns[] = {
     [FOV_FOCAL_LENGTH] = "focal length", [FOV_DISTANCE] = "distance", [FOV_SENSOR] = "sensor"};
 
+const struct fov_row fov_row_none = {
+    .setting = {RECTILINEAR, NAN, NAN, NAN, NAN},
+    .fov = {NAN, NAN, NAN, NAN, NAN, NAN, NULL},
+    .focal = NAN,
+    .converter = NAN,
+    .image = NAN,
+    .sensor_distance = NAN,
+    .circle = NAN,
+    .ground = {NAN, NAN, NAN, NAN},
+    .sky = {NAN, NAN, NAN, NAN, NAN, NULL},
+    .breathing = NAN,
+    .real = {.focal = NAN, .hiatus = NAN, .wavelength = NAN, .rear = NAN},
+    .rays = {NAN, NULL, NULL},
+    .fnumber = NAN,
+    .depth = NAN,
+    .blur = NAN,
+};
+
 static void fov_warn(struct fov_row *row, const char *warning, struct arena *arena)
 {
     row->real.warning = lens_warnings_join(row->real.warning, warning, arena);
@@ -160,10 +178,24 @@ static bool look_by_rays(const struct fov_input *input, const struct photo_lens 
             find_breathing(input, lens, run, row, error));
 }
 
-static int count_fields(const struct fov_goals *goals)
+int fov_goals_fields(const struct fov_goals *goals)
 {
     return !isnan(goals->field_width) + !isnan(goals->field_height) +
            !isnan(goals->field_diagonal) + !isnan(goals->pixel);
+}
+
+struct fov_goals fov_input_goals(const struct fov_input *input)
+{
+    const bool is_size = !isnan(input->field.width);
+    return (struct fov_goals){
+        .horizontal = input->horizontal,
+        .vertical = input->vertical,
+        .diagonal = input->diagonal,
+        .field_width = is_size ? input->field.width : input->field_width,
+        .field_height = is_size ? input->field.height : input->field_height,
+        .field_diagonal = input->field_diagonal,
+        .pixel = 1 / input->density,
+    };
 }
 
 /* How far the subject is from the front principal plane, and a thin lens's f if that settles it. */
@@ -176,7 +208,7 @@ static bool find_subject(const struct fov_input *input, const struct photo_lens 
     double *s = &problem->setting.s, goal;
     *s = input->distance;
     if (elsewhere && isnan(lens->f) && input->lens.from == FROM_SENSOR &&
-        count_fields(&problem->goals) > 0) {
+        fov_goals_fields(&problem->goals) > 0) {
         problem->unknown = FOV_FOCAL_LENGTH;
         return fov_goal_magnification(problem, &goal, &problem->by, error) &&
                fov_focal_length_from_sensor(goal, input->distance, &problem->setting.f, s, error);
@@ -226,8 +258,7 @@ static bool fill_ground(const struct fov_input *input, struct fov_row *row, stru
     return fov_ground(&row->setting, &row->fov, row->pitch, &row->ground, error);
 }
 
-/* The pixels in the plane of focus, and how fast they are scanned. */
-static bool fill_pixels(const struct fov_input *input, struct fov_row *row, struct error *error)
+bool fov_fill_pixels(const struct fov_input *input, struct fov_row *row, struct error *error)
 {
     const bool is_near = row->magnification > 0 && !isnan(row->pitch);
     row->density =
@@ -278,14 +309,13 @@ static bool solve_view(struct fov_input *input, const struct photo_lens *lens, s
 {
     struct fov_problem problem = {
         .setting = row->setting,
-        .goals = {input->horizontal, input->vertical, input->diagonal, input->field_width,
-                  input->field_height, input->field_diagonal, 1 / input->density},
+        .goals = fov_input_goals(input),
         .sensor_is_open = input->sensor.is_fallback && isnan(input->pitch) && !input->line_scan &&
                           isnan(input->crop),
     };
     const bool is_open = problem.sensor_is_open && !isnan(lens->f) && !isnan(row->setting.s) &&
                          (!isinf(input->distance) || !isnan(input->magnification)) &&
-                         count_fields(&problem.goals) > 0;
+                         fov_goals_fields(&problem.goals) > 0;
     if (!settle_sensor(input, is_open, run, error)) {
         return false;
     }
@@ -298,10 +328,10 @@ static bool solve_view(struct fov_input *input, const struct photo_lens *lens, s
     }
     row->setting = problem.setting;
     row->solved_for = unknowns[problem.unknown];
-    row->solved_by = count_fields(&problem.goals) > 1 ? problem.by : NULL;
+    row->solved_by = fov_goals_fields(&problem.goals) > 1 ? problem.by : NULL;
     if (problem.unknown == FOV_SENSOR) {
-        const bool is_shaped = !pixels_given(&input->pixels) &&
-                               (isnan(input->field_width) || isnan(input->field_height));
+        const bool is_shaped = !pixels_given(&input->pixels) && (isnan(problem.goals.field_width) ||
+                                                                 isnan(problem.goals.field_height));
         input->sensor.size = problem.sensor;
         input->sensor.size.pitch = problem.sensor.width / input->pixels.wide;
         input->sensor.name =
@@ -324,18 +354,16 @@ static bool fov_answer(const void *data, const struct photo_lens *bare, struct r
     }
     const struct photo_lens *lens = attached.lens;
     bool chosen = input->projection >= VIEW_PROJECTIONS;
-    struct fov_row row = {
-        .setting = {(enum projection)(chosen ? input->projection - VIEW_PROJECTIONS : RECTILINEAR),
-                    lens->f, input->distance, lens->P, input->squeeze},
-        .projection = fov_ways[chosen ? input->projection : VIEW_PROJECTIONS].word,
-        .from = isinf(input->distance) ? NULL : distances_from[input->lens.from].word,
-        .circle = NAN,
-        .breathing = NAN,
-        .task = input->task > 0 ? fov_tasks[input->task].word : NULL,
-        .real = *lens->real,
-        .rays = by_rays_none,
-        .converter = input->converter,
-    };
+    struct fov_row row = fov_row_none;
+    row.setting = (struct fov_setting){
+        (enum projection)(chosen ? input->projection - VIEW_PROJECTIONS : RECTILINEAR), lens->f,
+        input->distance, lens->P, input->squeeze};
+    row.projection = fov_ways[chosen ? input->projection : VIEW_PROJECTIONS].word;
+    row.from = isinf(input->distance) ? NULL : distances_from[input->lens.from].word;
+    row.task = input->task > 0 ? fov_tasks[input->task].word : NULL;
+    row.real = *lens->real;
+    row.rays = by_rays_none;
+    row.converter = input->converter;
     row.real.hiatus = lens->measuring.hiatus;
     if (input->task > 0) {
         own.density = viewing_tasks[input->task - 1].density;
@@ -358,7 +386,7 @@ static bool fov_answer(const void *data, const struct photo_lens *bare, struct r
     if ((input->lens.rays.exact &&
          !place_film(input, lens, &row.setting.s, run, &row.image, &row.rays, error)) ||
         (wants_rays(input, lens) && !look_by_rays(input, lens, run, &row, error)) ||
-        !fill_ground(input, &row, run, error) || !fill_pixels(input, &row, error) ||
+        !fill_ground(input, &row, run, error) || !fov_fill_pixels(input, &row, error) ||
         !sky_fill(&input->sky, &row.setting, &input->sensor.size, row.pitch, &row.sky, error)) {
         return false;
     }
@@ -446,6 +474,9 @@ bool fov_run(const void *data, struct run *run, struct error *error)
     const struct fov_input *input = data;
     const size_t *positions;
     size_t count;
+    if (input->telecentric) {
+        return fov_telecentric(input, run, error);
+    }
     if (input->gap == NULL || input->lens.lens.lens == NULL) {
         return photo_lens_each(&input->lens, 0, run, fov_tasks_answer, input, error);
     }

@@ -24,6 +24,9 @@ struct fov_input {
     int projection;
     double horizontal, vertical, diagonal;            /* wanted angles, rad */
     double field_width, field_height, field_diagonal; /* wanted fields, mm */
+    struct size_value field;                          /* width and height at once */
+    bool telecentric;                                 /* no focal length, a magnification */
+    double fnumber, na, blur; /* its working f-number or aperture at the subject, and px allowed */
     struct pixels_value pixels;
     double pitch;            /* of the pixels, mm */
     double density;          /* wanted pixels on the subject, px/mm */
@@ -55,11 +58,27 @@ struct fov_row {
     double density, object_pixel;       /* px/mm and mm in the plane of focus; NaN = not known */
     const char *task;
     double speed, line_rate;
+    double fnumber, depth, blur; /* of a telecentric lens: mm, and px */
     const char *sensor, *projection, *from;
 };
 
 /* The words of --task, `none` first. */
 extern const struct word fov_tasks[];
+
+/* The row of a lens of which nothing is known. */
+extern const struct fov_row fov_row_none;
+
+/* What is wanted, in the plane of focus and as angles. */
+struct fov_goals fov_input_goals(const struct fov_input *input);
+
+/* How many fields are wanted, a pixel's among them. */
+int fov_goals_fields(const struct fov_goals *goals);
+
+/* The pixels in the plane of focus, and how fast they are scanned. Errors: a speed without them. */
+bool fov_fill_pixels(const struct fov_input *input, struct fov_row *row, struct error *error);
+
+/* Answer for a telecentric lens, whose field is the sensor over its magnification. */
+bool fov_telecentric(const struct fov_input *input, struct run *run, struct error *error);
 
 /* The `run` of the command. */
 bool fov_run(const void *data, struct run *run, struct error *error);
