@@ -43,24 +43,6 @@ const struct word fov_tasks[] = {
 static const char *const unknowns[] = {
     [FOV_FOCAL_LENGTH] = "focal length", [FOV_DISTANCE] = "distance", [FOV_SENSOR] = "sensor"};
 
-const struct fov_row fov_row_none = {
-    .setting = {RECTILINEAR, NAN, NAN, NAN, NAN},
-    .fov = {NAN, NAN, NAN, NAN, NAN, NAN, NULL},
-    .focal = NAN,
-    .converter = NAN,
-    .image = NAN,
-    .sensor_distance = NAN,
-    .circle = NAN,
-    .ground = {NAN, NAN, NAN, NAN},
-    .sky = {NAN, NAN, NAN, NAN, NAN, NULL},
-    .breathing = NAN,
-    .real = {.focal = NAN, .hiatus = NAN, .wavelength = NAN, .rear = NAN},
-    .rays = {NAN, NULL, NULL},
-    .fnumber = NAN,
-    .depth = NAN,
-    .blur = NAN,
-};
-
 static void fov_warn(struct fov_row *row, const char *warning, struct arena *arena)
 {
     row->real.warning = lens_warnings_join(row->real.warning, warning, arena);
@@ -178,26 +160,6 @@ static bool look_by_rays(const struct fov_input *input, const struct photo_lens 
             find_breathing(input, lens, run, row, error));
 }
 
-int fov_goals_fields(const struct fov_goals *goals)
-{
-    return !isnan(goals->field_width) + !isnan(goals->field_height) +
-           !isnan(goals->field_diagonal) + !isnan(goals->pixel);
-}
-
-struct fov_goals fov_input_goals(const struct fov_input *input)
-{
-    const bool is_size = !isnan(input->field.width);
-    return (struct fov_goals){
-        .horizontal = input->horizontal,
-        .vertical = input->vertical,
-        .diagonal = input->diagonal,
-        .field_width = is_size ? input->field.width : input->field_width,
-        .field_height = is_size ? input->field.height : input->field_height,
-        .field_diagonal = input->field_diagonal,
-        .pixel = 1 / input->density,
-    };
-}
-
 /* How far the subject is from the front principal plane, and a thin lens's f if that settles it. */
 static bool find_subject(const struct fov_input *input, const struct photo_lens *lens,
                          struct fov_problem *problem, struct error *error)
@@ -256,29 +218,6 @@ static bool fill_ground(const struct fov_input *input, struct fov_row *row, stru
                                   "with a camera): it is left out");
     }
     return fov_ground(&row->setting, &row->fov, row->pitch, &row->ground, error);
-}
-
-bool fov_fill_pixels(const struct fov_input *input, struct fov_row *row, struct error *error)
-{
-    const bool is_near = row->magnification > 0 && !isnan(row->pitch);
-    row->density =
-        is_near ? pixel_density(row->magnification, row->pitch, input->squeeze) : (double)NAN;
-    row->object_pixel = 1 / row->density;
-    row->speed = input->speed;
-    row->line_rate = input->line_rate;
-    if (isnan(input->speed) && isnan(input->line_rate)) {
-        return true;
-    }
-    if (!is_near) {
-        return fail(error, ERROR_USAGE, "{--%s} needs a finite {--distance}, or a field",
-                    isnan(input->speed) ? "line-rate" : "speed");
-    }
-    if (isnan(row->speed)) {
-        row->speed = input->line_rate / row->density;
-    } else {
-        row->line_rate = line_rate(row->speed, row->density);
-    }
-    return true;
 }
 
 /* The sensor with its pixels; one that is open has the shape of its pixels, or of 35 mm film. */
