@@ -178,6 +178,11 @@ bool diffraction_focus_spread(double f, double near, double far, double *spread,
     return true;
 }
 
+double fnumber_from_na(double na, double m, double P)
+{
+    return m > 0 ? m / (2 * na * (1 + m / P)) : 1 / (2 * na);
+}
+
 bool diffraction_resolve(double diameter, double wavelength, struct diffraction_angles *angles,
                          struct error *error)
 {

@@ -136,6 +136,18 @@ bool diffraction_focus_spread(double f, double near, double far, double *spread,
                               struct error *error);
 
 /*
+ * The f-number, as marked, of a numerical aperture.
+ *
+ * Given     na  n sin(theta), > 0: of the cone at the subject if m > 0, else (far away) of the cone
+ *               at the image
+ *           m, P
+ * Formula   m P/(2 NA (P + m)), so that N (1 + m/P) = m/(2 NA), the sine condition; 1/(2 NA) at m =
+ *           0
+ * Source    [BornWolf99] 4.5.1, the sine condition
+ */
+double fnumber_from_na(double na, double m, double P);
+
+/*
  * Angular resolution of an aperture.
  *
  * Given     diameter of the entrance pupil, mm, > 0 (f/N); wavelength um

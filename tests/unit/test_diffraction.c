@@ -272,8 +272,18 @@ static void test_refusals(void)
     CHECK(!diffraction_mtf_at(&s, -1, &mtf, &error));
 }
 
+static void test_numerical_aperture(void)
+{
+    CHECK_NEAR(fnumber_from_na(0.25, 0, 1), 2, 1e-15, "far away: 1/(2 NA)");
+    CHECK_NEAR(fnumber_from_na(0.1, 1, 1), 2.5, 1e-15,
+               "life size: 1/(2 x 0.1) is at work, half marked");
+    CHECK_NEAR(fnumber_from_na(0.65, 40, 1) * 41, 40 / 1.3, 1e-12, "at work: m/(2 NA)");
+    CHECK_NEAR(fnumber_from_na(0.1, 1, 2) * 1.5, 5, 1e-15, "pupils: N (1 + m/P)");
+}
+
 int main(void)
 {
+    test_numerical_aperture();
     test_truth();
     test_airy();
     test_close_up();

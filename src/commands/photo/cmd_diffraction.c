@@ -8,7 +8,7 @@
 #include <math.h>
 
 struct diffraction_input {
-    double magnification;
+    double magnification, na;
     struct photo_lens_question lens;
     struct sharpness sharp;
     double pixels, film; /* film in line pairs per mm */
@@ -21,6 +21,10 @@ struct diffraction_input {
 static const struct option options[] = {
     PHOTO_LENS_OPTIONS(lens),
     OPTION_APERTURE(lens.fnumber, 0),
+    OPTION_NA(na,
+              "numerical aperture in place of -N: at the subject with -m, else at the image; the "
+              "Airy disc is that on the sensor",
+              .excludes = "aperture focal-length near focus-spread"),
     {MEASURE(frequency, frequency, "per_mm", "FREQUENCY"), REPEATED("frequency"),
      .quantity = "spatial frequency", FROM_0,
      .excludes = "coc print viewing acuity pixels film focus-spread near focal-length",
@@ -54,7 +58,7 @@ struct diffraction_row {
     struct diffraction_angles angles;
     struct diffraction_optimum optimum;
     double wavelength, pitch, coc, pixels, film, frequency; /* mm */
-    double focal, near, far, spread;
+    double na, focal, near, far, spread;
     double mtf50, mtf10;
     double fnumber_pixel, fnumber_coc, fnumber_film;
     struct photo_real real;
@@ -96,6 +100,7 @@ struct diffraction_row {
 
 static const struct column columns[] = {
     PHOTO_LENS_COLUMNS(real),
+    COLUMN_NA(na),
     COLUMN_FNUMBER(setting.N, 0),
     {SHOWN(airy.working_fnumber), .name = "working_fnumber", .symbol = "Nw",
      .label = "working f-number", .help = "f-number that diffracts, N (1 + m/P)"},
@@ -148,6 +153,7 @@ static const struct column columns[] = {
 /* With --frequency: contrast alone, a row a frequency. */
 static const struct column contrast_columns[] = {
     PHOTO_LENS_COLUMNS(real),
+    COLUMN_NA(na),
     COLUMN_FNUMBER(setting.N, 0),
     {MEASURED(frequency, frequency, "per_mm"), .name = "frequency", BRIEF | COLUMN_ECHO,
      .symbol = "nu", .with = "frequency", .label = "spatial frequency",
@@ -268,8 +274,8 @@ static bool compute_contrast(const struct diffraction_input *input, struct diffr
 static bool check_best(const struct diffraction_input *input, const struct sharpness *sharp,
                        struct error *error)
 {
-    const bool is_best =
-        isnan(input->lens.fnumber) && (!isnan(input->near) || !isnan(input->focus_spread));
+    const bool is_best = isnan(input->lens.fnumber) && isnan(input->na) &&
+                         (!isnan(input->near) || !isnan(input->focus_spread));
     const char *idle = SAID_FIRST({!input->sharp.coc.is_fallback, "coc"},
                                   {sharp->coc.coc.kind == COC_PRINT, "print"},
                                   {!isnan(input->film), "film"}, {input->defocus > 0, "defocus"});
@@ -291,8 +297,10 @@ static bool diffraction_answer(const void *data, const struct photo_lens *lens, 
         return false;
     }
     const double pitch = sharpness_pitch(sharp);
+    const double N =
+        isnan(input->na) ? lens->N : fnumber_from_na(input->na, input->magnification, lens->P);
     struct diffraction_row row = {
-        .setting = {.N = lens->N,
+        .setting = {.N = N,
                     .m = input->magnification,
                     .P = lens->P,
                     .wavelength = 1000 * lens->wavelength, /* um */
@@ -303,6 +311,7 @@ static bool diffraction_answer(const void *data, const struct photo_lens *lens, 
         .pixels = input->pixels,
         .film = input->film,
         .frequency = input->frequency,
+        .na = input->na,
         .focal = lens->f,
         .real = *lens->real,
         .sensor = sharp->sensor.name,
@@ -318,17 +327,17 @@ static bool diffraction_answer(const void *data, const struct photo_lens *lens, 
         .fnumber_film = NAN,
         .fnumber_coc = NAN,
     };
-    if (isnan(lens->N) && !isnan(input->frequency)) {
+    if (isnan(N) && !isnan(input->frequency)) {
         return fail(error, ERROR_USAGE, "{--frequency} needs {--aperture}");
     }
     if (!sharpness_resolve_in(sharp, lens->wavelength,
-                              diffracting_fnumber(lens->N, input->magnification, lens->P), &row.coc,
+                              diffracting_fnumber(N, input->magnification, lens->P), &row.coc,
                               error) ||
         !compute_limits(input, &row, error) || !compute_optimum(input, &row, error)) {
         return false;
     }
     /* without an f-number there is still what limits it */
-    if (!isnan(lens->N) && (!compute_airy(&row, error) || !compute_contrast(input, &row, error))) {
+    if (!isnan(N) && (!compute_airy(&row, error) || !compute_contrast(input, &row, error))) {
         return false;
     }
     run_emit(run, &row);
@@ -374,6 +383,7 @@ static const struct example examples[] = {
     {"diffraction -N 2.8..32 --sensor \"Nikon D1\"", "stopping down a camera from the list"},
     {"diffraction -N 8 --frequency 10..100:10 --pitch 4um", "a table of contrast"},
     {"diffraction -N 16 -m 1:1", "life size: f/16 works as f/32"},
+    {"diffraction --na 0.65 -m 40", "a microscope objective, on its camera"},
     {"diffraction --lens cooke-triplet-50", "a real lens wide open, in its own light"},
     {"diffraction -f 150 --near 2m --far inf --sensor 4x5", "the best f-number for a landscape"},
     {NULL, NULL},

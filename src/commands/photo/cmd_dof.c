@@ -15,6 +15,9 @@ static const struct option options[] = {
     OPTION_FOCAL_LENGTH(lens.focal, OPTION_SETTING),
     PHOTO_LENS_OPTIONS(lens),
     OPTION_APERTURE(lens.fnumber, OPTION_SETTING),
+    OPTION_NA(na, "numerical aperture at the subject, in place of -N",
+              .excludes = "aperture near far dof hyperfocal stack exact scale t-stop close-up tube "
+                          "converter"),
     OPTION_DISTANCE(distance, OPTION_SETTING, "distance of the subject; inf for stars"),
     SHARPNESS_OPTIONS_OF_LENS(sharp, lens, 0, "d/1500", coc_is_pixels),
     OPTION_PUPIL_OF_LENS(lens.pupil, NULL),
@@ -52,7 +55,7 @@ struct dof_row {
     struct dof dof;
     struct photo_real real;
     struct by_rays_row rays;
-    double focal, fnumber, distance;
+    double na, focal, fnumber, distance;
     struct attachments attached;
     const char *lens_focus;
     double t_stop, working_t_stop, squeeze;
@@ -78,6 +81,7 @@ static const struct column columns[] = {
     {SHOWN(shots), .name = "shots", .flags = COLUMN_EXTRA, .when = "with --stack",
      .help = "number of shots in the focus stack"},
     COLUMN_FOCAL(focal, 0),
+    COLUMN_NA(na),
     COLUMN_FNUMBER(fnumber, 0),
     {SHOWN(t_stop), .name = "t_stop", ECHO_WITH("t-stop lens"), .symbol = "T", .label = "T-stop",
      .help = "T-stop as marked"},
@@ -207,6 +211,7 @@ static bool dof_fill_row(const struct dof_question *input, const struct attached
     double exposes = row->dof.working_fnumber / row->setting.N;
     row->attached = input->attached;
     row->focal = isnan(attached->focal) ? row->setting.f : attached->focal;
+    row->na = input->na;
     row->fnumber = row->setting.N / attached->fnumber_factor;
     row->t_stop = isnan(T) ? row->fnumber * attached->lens->t_ratio : T;
     row->working_t_stop = row->t_stop * attached->fnumber_factor * exposes;
@@ -312,9 +317,15 @@ static bool dof_answer(const void *data, const struct photo_lens *lens, struct r
 {
     const struct dof_question *input = data;
     struct dof_question own;
-    struct photo_lens room;
+    struct photo_lens room, stopped;
     struct attached_lens attached;
     struct dof_row row;
+    if (!isnan(input->na)) {
+        if (!dof_question_stop(input, lens, &stopped, error)) {
+            return false;
+        }
+        lens = &stopped;
+    }
     if (!sharpness_is_plain(&input->sharp)) {
         own = *input;
         if (!sharpness_settle(&own.sharp, PITCH_FOR_COC, run->doubts, error)) {

@@ -3,6 +3,7 @@
 #include "commands/photo/dof_question.h"
 #include "base/arena.h"
 #include "draw/barrel.h"
+#include "photo/diffraction.h"
 #include "photo/dof.h"
 
 #include <math.h>
@@ -15,6 +16,27 @@ int dof_question_use(const struct dof_question *input)
                  !isnan(t->magnification);
     const int others = input->stack ? 2 : isnan(input->distance); /* that the wishes may solve */
     return wishes > others ? PHOTO_LENS_SOLVES_FNUMBER : 0;
+}
+
+bool dof_question_stop(const struct dof_question *input, const struct photo_lens *lens,
+                       struct photo_lens *stopped, struct error *error)
+{
+    double m = input->targets.magnification, s;
+    if (isnan(lens->f) || (isnan(m) && !isfinite(input->distance))) {
+        fail(error, ERROR_USAGE,
+             "{--na} needs {--focal-length} or {--lens}, and a {--distance} or {--magnification}");
+        return error_hint(error, "of a microscope, with diffraction: lenscalc microscope 40x/0.65");
+    }
+    if (isnan(m)) {
+        if (!distance_to_principal(lens->f, lens->P, input->distance, &lens->measuring, &s,
+                                   error)) {
+            return false;
+        }
+        m = lens->f / (s - lens->f);
+    }
+    *stopped = *lens;
+    stopped->N = fnumber_from_na(input->na, m, lens->P);
+    return true;
 }
 
 static bool dof_question_set_up(const struct dof_question *input,

@@ -13,7 +13,7 @@
 
 /* The options of the command fill it; NaN = not given. */
 struct dof_question {
-    double distance;
+    double distance, na;
     struct photo_lens_question lens;
     struct sharpness sharp;
     int model;
@@ -27,6 +27,15 @@ struct dof_question {
 
 /* enum photo_lens_use: a real lens's own f-number does not count where that is what is wished. */
 int dof_question_use(const struct dof_question *input);
+
+/*
+ * The lens with the f-number that has the numerical aperture at the subject.
+ *
+ * Given     lens  of the question;  stopped  receives it
+ * Errors    ERROR_USAGE: no focal length, no distance and no magnification
+ */
+bool dof_question_stop(const struct dof_question *input, const struct photo_lens *lens,
+                       struct photo_lens *stopped, struct error *error);
 
 /*
  * What is known of the setting: the lens with its attachments, and the circle of confusion.

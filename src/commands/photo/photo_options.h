@@ -24,6 +24,16 @@ bool coc_is_print(const struct coc_value *coc);
           .quantity = "f-number", .column = "fnumber", ABOVE_0 | (more), OPTION_USUAL_FNUMBER,     \
           .help = "f-number: 2.8 or f/2.8")
 
+/* In place of --aperture; `more` are initialisers such as .excludes. */
+#define OPTION_NA(member, words, ...)                                                              \
+    ENTRY(MEASURE(member, number, NULL, "NA"), REPEATED("na"), .quantity = "numerical aperture",   \
+          ABOVE_0, .usual = {0, 1.7}, .unusual = "numerical apertures are below 1.7",              \
+          .help = (words), __VA_ARGS__)
+
+#define COLUMN_NA(member)                                                                          \
+    ENTRY(SHOWN(member), .name = "na", ECHO_WITH("na"), .symbol = "NA",                            \
+          .label = "numerical aperture", .help = "as given")
+
 #define OPTION_DISTANCE(member, more, words)                                                       \
     ENTRY(MEASURE(member, length, "m", "LENGTH"), REPEATED("distance"), .letter = 's',             \
           ABOVE_0_OR_INFINITE | (more), .help = (words))
