@@ -138,6 +138,19 @@ static bool join_ends(struct quantity_parser *reading, size_t between)
     return false;
 }
 
+/* A power in dioptres stands where a length is wanted: say which focal length it is. */
+static bool hint_focal_length(struct quantity_parser *reading, struct text name)
+{
+    const struct unit *unit = unit_find(&dimension_vergence, name);
+    double power;
+    const char *after = number_read(reading->text.start, name.start, unit->scale, &power);
+    if (after == NULL || power == 0 || !isfinite(1 / power)) {
+        return false;
+    }
+    return error_hint(reading->error, "the focal length of %.*s is '%.6gmm'",
+                      text_shown(reading->text), reading->text.start, 1 / power);
+}
+
 static bool quantity_wrong_unit(struct quantity_parser *reading, struct text name)
 {
     const char *wanted = reading->dimension->name;
@@ -155,9 +168,10 @@ static bool quantity_wrong_unit(struct quantity_parser *reading, struct text nam
         }
     }
     if (other != NULL) {
-        return fail_at(reading->error, ERROR_USAGE, reading->text, caret,
-                       "unit '%.*s' measures %s %s, expected %s %s", shown, name.start,
-                       article(other->name), other->name, article(wanted), wanted);
+        fail_at(reading->error, ERROR_USAGE, reading->text, caret,
+                "unit '%.*s' measures %s %s, expected %s %s", shown, name.start,
+                article(other->name), other->name, article(wanted), wanted);
+        return other == &dimension_vergence && hint_focal_length(reading, name);
     }
     if (reading->dimension->units[0].name[0] == '\0' && reading->dimension->unit_count == 1) {
         return fail_at(reading->error, ERROR_USAGE, reading->text, caret,

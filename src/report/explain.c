@@ -100,7 +100,7 @@ static bool applies(const struct report *report, struct text only, const void *r
     const struct text absent = text_behind(only, "!");
     struct text word = absent.start != NULL ? absent : only;
     const struct column *column = explain_by_name(report->sheet, text_cut(&word, '='));
-    const bool is_absent = row_is_absent(row, column);
+    const bool is_absent = column == NULL || row_is_absent(row, column);
     if (is_absent || absent.start != NULL || word.start == NULL) {
         return is_absent == (absent.start != NULL);
     }

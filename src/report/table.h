@@ -111,7 +111,8 @@ struct sheet {
 /* How a value was computed, for --explain. {symbol} stands for a column's symbol and value. */
 struct explanation {
     /* The column it explains, without unit; "horizontal projection=equisolid" is for rows that say
-       that there, "near film" for rows that have a film, "near !film" for those that have none. */
+       that there, "near film" for rows that have a film, "near !film" for those that have none,
+       or no such column. */
     const char *column;
     const char *formula; /* "{H} = {f}^2/({N} {c}) + {f}" */
     const char *source;  /* [Key] equation or page; keys are in lenscalc.7 */

@@ -246,7 +246,7 @@ static void check_thick(void)
 
 /*
  * Two thin lenses, d apart: 1/f = 1/f1 + 1/f2 - d/(f1 f2), behind the second one
- * f2 (d - f1)/(d - f1 - f2) to the focus [Hecht17] 6.1; in cm f1 = 8, f2 = -9.5, d = 14.
+ * f2 (d - f1)/(d - f1 - f2) to the focus in cm f1 = 8, f2 = -9.5, d = 14.
  */
 static void check_thin(void)
 {

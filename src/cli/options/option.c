@@ -106,7 +106,8 @@ bool option_check_range(const struct option *option, double value, struct error 
          unit != NULL && unit->label[0] != '\0' ? " " : "", unit != NULL ? unit->label : "",
          option_range(option, &arena));
     arena_free(&arena);
-    return false;
+    return option->outside != NULL && value < option->lowest &&
+           error_hint(error, "%s", option->outside);
 }
 
 bool option_recall(const struct reader *reader, const struct option *option, void *member,

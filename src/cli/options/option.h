@@ -370,6 +370,7 @@ struct option {
     double usual[2];                   /* values outside are doubted; both 0 = none is */
     const char *unusual;               /* in which words: "no lens in air is faster than f/0.5" */
     const char *most;      /* of a count: a word for its highest value, "many"; null = none */
+    const char *outside;   /* said of values out of range, what has an answer to them; or null */
     const char *no_number; /* said to who types a word for the number; null = nothing */
     unsigned flags;
     /* It says something only beside a value of a circle of confusion for which this holds. */

@@ -1,5 +1,6 @@
 /* commands/lens/cmd_conjugate.c - lenscalc conjugate: object and image of a lens, and focusing. */
 /* SPDX-License-Identifier: MIT */
+#include "commands/lens/conjugate_ideal.h"
 #include "commands/lens/focus_gaps.h"
 #include "commands/lens/lens_options.h"
 #include "commands/tables.h"
@@ -7,26 +8,6 @@
 #include "file/lens_glass.h"
 #include "optics/conjugates.h"
 #include "optics/focusing.h"
-
-enum { FOCUS_BY_NOTHING, FOCUS_BY_LENS };
-
-struct conjugate_input {
-    struct lens_question question;
-    double object, image, magnification; /* at most one */
-    int from, focus_by;
-    const char *gap;
-    struct glass_value object_medium, image_medium;
-};
-
-/* Indexed by enum conjugate_from. */
-static const struct word froms[] = {
-    [CONJUGATE_FROM_PRINCIPAL] = {"principal", "the object from H, the image from H'"},
-    [CONJUGATE_FROM_FRONT] = {"front", "from the first vertex, from the last"},
-    [CONJUGATE_FROM_FOCAL] = {"focal", "from F, from F' (Newton)"},
-    [CONJUGATE_FROM_ENTRANCE] = {"entrance", "from the entrance pupil, from the exit pupil"},
-    [CONJUGATE_FROM_SENSOR] = {"sensor", "the object from the image plane"},
-    [CONJUGATE_FROMS] = {NULL, NULL},
-};
 
 static const struct word focusings[] = {
     [FOCUS_BY_NOTHING] = {"nothing", "the image falls where it falls"},
@@ -47,8 +28,29 @@ static const struct option options[] = {
      .help = "distance of the image behind the lens; negative: a virtual image"},
     {MEASURE(magnification, ratio, NULL, "RATIO"), .name = "magnification", .letter = 'm',
      .help = "lateral magnification; negative: upside down, as a camera's"},
+    {MEASURE(ideal.focal, length, "mm", "LENGTH"), .name = "focal-length", .letter = 'f',
+     .column = "focal", .excludes = "lens",
+     .help = "an ideal thin lens in place of a real one; below 0 diverging. Without it two of "
+             "--object, --image and --magnification give it"},
+    {MEASURE(ideal.power, vergence, "dpt", "DIOPTRES"), .name = "power", .excludes = "lens",
+     .help = "its power 1/f in place of --focal-length"},
+    {ASKED(ideal.then), .name = "then", .excludes = "lens", .accepts = ideal_lens_accepts,
+     .value = "LENSES", .help = "thin lenses behind it: \"gap 14cm, f -9.5cm\""},
+    {ASKED(ideal.mirror), .name = "mirror", .words = ideal_mirrors, .fallback = "no",
+     .excludes = "lens then", .value = "KIND", .help = "a mirror in place of a lens"},
+    {MEASURE(ideal.radius, length, "mm", "LENGTH"), .name = "radius", .letter = 'R',
+     .column = "radius", .wants = "mirror=concave|mirror=convex",
+     .help = "of the mirror: a size, twice the focal length"},
+    {MEASURE(height, length, "mm", "LENGTH"), .name = "height", .letter = 'y',
+     .column = "object_height", .flags = OPTION_NO_INFINITY,
+     .help = "height of the object: brings that of the image"},
+    {MEASURE(near_point, length, "mm", "LENGTH"), .name = "near-point", .fallback = "250", ABOVE_0,
+     .excludes = "lens",
+     .help = "from where the naked eye looks that a magnifier is compared with"},
+    {ASKED(steps), .name = "steps", .wants = "then",
+     .help = "a row for each lens before that of all of them"},
     {ASKED(from), .name = "from", .quantity = "distance origin", .column = "distance_from",
-     .words = froms, .fallback = "principal", .value = "PLACE",
+     .words = conjugate_froms, .fallback = "lens", .value = "PLACE",
      .help = "where distances are measured from"},
     {ASKED(focus_by), .name = "focus-by", .column = "focus_by", .words = focusings,
      .fallback = "nothing", .value = "HOW", .help = "bring the image to the image plane"},
@@ -62,15 +64,6 @@ static const struct option options[] = {
     LENS_FNUMBER_OPTION(INPUT, question),
     LENS_POSITION_OPTION(INPUT, question),
     LENS_SECTION_OPTION(INPUT, question),
-};
-
-struct conjugate_row {
-    double wavelength; /* um */
-    const char *position, *from, *focus_by, *gaps, *lens, *warning;
-    const char *object_kind, *image_kind, *orientation;
-    double object, image, movement, efl;
-    double working_fnumber, na_object, na_image;
-    struct conjugate_points all;
 };
 
 #define ROW struct conjugate_row
@@ -94,7 +87,9 @@ static const struct column columns[] = {
      .repeats = "image", .help = "the image, to the right of the point that belongs to --from"},
     {PLAIN(all.magnification, COLUMN_BRIEF | COLUMN_INFINITE), .name = "magnification",
      .symbol = "m", .help = "image over object height, n u/(n' u'); negative upside down"},
-    {PLAIN(orientation, 0), .name = "orientation", .help = "erect or inverted"},
+    OBJECT_HEIGHT_COLUMN,
+    IMAGE_HEIGHT_COLUMN,
+    {PLAIN(orientation, 0), .name = "orientation", .help = "upright or inverted"},
     {PLAIN(object_kind, 0), .name = "object_kind", .label = "object is",
      .help = "real, virtual or at infinity"},
     {PLAIN(image_kind, COLUMN_BRIEF), .name = "image_kind", .label = "image is",
@@ -139,6 +134,16 @@ static const struct column columns[] = {
     LENS_WARNING_COLUMN(ROW, warning),
 };
 
+static const struct sheet real_sheet = SHEET(columns, ROW);
+static const struct sheet *const sheets[] = {&real_sheet, &conjugate_ideal_sheet, NULL};
+
+static const struct sheet *conjugate_choose_sheet(const void *data,
+                                                  const struct option_query *asking)
+{
+    (void)data;
+    return asking_given(asking, "lens") ? &real_sheet : &conjugate_ideal_sheet;
+}
+
 /* What is asked of one lens, wavelength after wavelength. */
 struct task {
     const struct conjugate_input *input;
@@ -146,17 +151,31 @@ struct task {
     struct lens_value typed; /* the lens as the file has it, its media too */
     struct named_gap gaps[FOCUS_GAPS];
     size_t gap_count; /* 0: nothing moves */
+    bool is_ideal;
+    const char *step; /* which of several lenses it is; null: it is all of them */
+    double height;    /* of the object, mm; NaN = not asked for */
 };
 
-static struct conjugate_question conjugate_question_of(const struct conjugate_input *input,
+static enum conjugate_from conjugate_from_of(const struct task *task)
+{
+    if (task->input->from == FROM_LENS) {
+        return task->is_ideal ? CONJUGATE_FROM_FRONT : CONJUGATE_FROM_PRINCIPAL;
+    }
+    return (enum conjugate_from)task->input->from;
+}
+
+static struct conjugate_question conjugate_question_of(const struct task *task,
                                                        const struct lens *lens)
 {
-    enum conjugate_from from = (enum conjugate_from)input->from;
+    const struct conjugate_input *input = task->input;
+    const enum conjugate_from from = conjugate_from_of(task);
     if (!isnan(input->magnification)) {
         return (struct conjugate_question){CONJUGATE_MAGNIFICATION, from, 0, input->magnification};
     }
     if (!isnan(input->image)) {
-        return (struct conjugate_question){CONJUGATE_IMAGE, from, input->image, 0};
+        const bool turns = input->ideal.mirror != MIRROR_NONE;
+        return (struct conjugate_question){CONJUGATE_IMAGE, from,
+                                           turns ? -input->image : input->image, 0};
     }
     if (!isnan(input->object)) {
         return (struct conjugate_question){CONJUGATE_OBJECT, from, input->object, 0};
@@ -180,7 +199,7 @@ static const char *orientation_of(const struct conjugate_points *all, double pow
     if (isinf(sign) || sign == 0) {
         return NULL;
     }
-    return sign > 0 ? "erect" : "inverted";
+    return sign > 0 ? "upright" : "inverted";
 }
 
 /* The row of one object, which lies on `place` (mm to the left of the first vertex). */
@@ -193,12 +212,19 @@ static bool conjugate_emit_row(const struct lens_case *one, const struct task *t
     struct paraxial_trace trace;
     struct conjugate_row row = {.wavelength = one->light.wavelength,
                                 .position = one->setup->position,
-                                .from = froms[task->input->from].word,
+                                .from = conjugate_froms[conjugate_from_of(task)].word,
                                 .focus_by = task->input->gap,
                                 .gaps = gaps,
                                 .movement = movement,
                                 .lens = one->setup->lens->title,
-                                .warning = one->warning};
+                                .warning = one->warning,
+                                .object_height = task->height,
+                                .focal = NAN,
+                                .power = NAN,
+                                .radius = NAN,
+                                .magnifier = NAN,
+                                .near_point = NAN};
+    const enum conjugate_from from = conjugate_from_of(task);
     if (task->input->gap == NULL && task->input->focus_by != 0) {
         row.focus_by = "the whole lens";
     }
@@ -222,8 +248,9 @@ static bool conjugate_emit_row(const struct lens_case *one, const struct task *t
         [CONJUGATE_FROM_ENTRANCE] = {row.all.object_pupil, row.all.image_pupil},
         [CONJUGATE_FROM_SENSOR] = {row.all.total, row.all.image},
     };
-    row.object = pairs[task->input->from][0];
-    row.image = pairs[task->input->from][1];
+    row.object = pairs[from][0];
+    row.image = pairs[from][1];
+    row.image_height = isnan(task->height) ? NAN : task->height * row.all.magnification;
     /* Brightness with the stop as wide as it is, for the object of the row. */
     struct first_order first;
     first_order_compute(&system, &trace, &object, &first);
@@ -240,6 +267,9 @@ static bool conjugate_emit_row(const struct lens_case *one, const struct task *t
     row.object_kind = conjugate_kind_of(row.all.object, row.all.object_is_virtual);
     row.image_kind = conjugate_kind_of(row.all.image, row.all.image_is_virtual);
     row.orientation = orientation_of(&row.all, trace.whole.c.hi == 0 ? 0 : -trace.whole.c.hi);
+    if (task->is_ideal) {
+        conjugate_fill_ideal(task->input, lens, task->step, &row);
+    }
     run_emit(run, &row);
     return true;
 }
@@ -250,16 +280,40 @@ static struct conjugate_ray conjugate_place_of(const struct conjugate_ray *ray, 
     return (struct conjugate_ray){pair_multiply(ray->y, index), ray->v};
 }
 
+/* Lens after lens: what one makes of the ray is the object of the next. */
+static bool emit_steps(const struct lens_case *one, const struct task *task,
+                       struct conjugate_ray ray, struct error *error)
+{
+    const struct lens *lens = one->setup->lens;
+    const struct paraxial_system *system = &one->light.system;
+    struct arena *arena = task->run->arena;
+    struct task step = *task;
+    for (size_t i = 0; i < system->count; i++) {
+        const struct conjugate_ray place = conjugate_place_of(&ray, system->index[i]);
+        const struct pair before = ray.v;
+        step.step = arena_printf(arena, "lens %zu", i + 1);
+        if (!conjugate_emit_row(one, &step, ideal_lens_alone(lens, i, arena), &place, NULL, NAN,
+                                error)) {
+            return false;
+        }
+        ray.v = pair_subtract(ray.v, pair_multiply(ray.y, system->surfaces[i].power));
+        ray.y = pair_add(ray.y, pair_multiply(ray.v, system->surfaces[i].reduced));
+        step.height *= before.hi / ray.v.hi;
+    }
+    return true;
+}
+
 static bool emit_unmoved(const struct lens_case *one, const struct task *task, struct error *error)
 {
-    const struct conjugate_question question = conjugate_question_of(task->input, one->setup->lens);
+    const struct conjugate_question question = conjugate_question_of(task, one->setup->lens);
     struct conjugate_ray rays[2];
     struct paraxial_trace trace;
     paraxial_trace(&one->light.system, &trace);
     size_t count = conjugate_find(&one->light.system, &trace, &question, rays, error);
     for (size_t i = 0; i < count; i++) {
         const struct conjugate_ray place = conjugate_place_of(&rays[i], one->light.system.index[0]);
-        if (!conjugate_emit_row(one, task, one->setup->lens, &place, NULL, NAN, error)) {
+        if ((task->input->steps && !emit_steps(one, task, rays[i], error)) ||
+            !conjugate_emit_row(one, task, one->setup->lens, &place, NULL, NAN, error)) {
             return false;
         }
     }
@@ -270,7 +324,7 @@ static bool emit_unmoved(const struct lens_case *one, const struct task *task, s
 static bool emit_focused(const struct lens_case *one, const struct task *task, struct error *error)
 {
     struct arena *arena = task->run->arena;
-    const struct conjugate_question question = conjugate_question_of(task->input, one->setup->lens);
+    const struct conjugate_question question = conjugate_question_of(task, one->setup->lens);
     struct focused *solutions = ARENA_ARRAY(arena, FOCUS_SOLUTIONS, struct focused);
     struct focus_gap gaps[FOCUS_GAPS];
     for (size_t i = 0; i < task->gap_count; i++) {
@@ -355,34 +409,42 @@ static bool put_into_media(const struct conjugate_input *input, struct lens_valu
     return true;
 }
 
-static bool conjugate_run(const void *data, struct run *run, struct error *error)
+static bool conjugate_check_given(const struct conjugate_input *input, struct error *error)
 {
-    const struct conjugate_input *input = data;
-    struct lens_question question = input->question;
-    struct task task = {.input = input, .run = run, .typed = input->question.lens};
-    question.field = question.field_x = NAN;
     int given = !isnan(input->object) + !isnan(input->image) + !isnan(input->magnification);
     if (given > 1) {
         return fail(error, ERROR_USAGE,
-                    "{--object}, {--image} and {--magnification} exclude each other");
+                    "{--object}, {--image} and {--magnification} exclude each other beside a lens");
     }
     if (input->from == CONJUGATE_FROM_SENSOR && !isnan(input->image)) {
         return fail(error, ERROR_USAGE,
                     "{--from} sensor measures the object from the image: give {--object}");
     }
-    if (input->gap != NULL && input->focus_by != FOCUS_BY_NOTHING) {
-        return fail(
-            error, ERROR_USAGE,
-            "{--gap} and {--focus-by} exclude each other: the gap of the whole lens is 'last'");
+    return input->gap == NULL || input->focus_by == FOCUS_BY_NOTHING ||
+           fail(error, ERROR_USAGE,
+                "{--gap} and {--focus-by} exclude each other: the gap of the whole lens is 'last'");
+}
+
+static bool conjugate_run(const void *data, struct run *run, struct error *error)
+{
+    struct conjugate_input asked = *(const struct conjugate_input *)data;
+    const bool is_ideal = asked.question.lens.lens == NULL;
+    if (is_ideal && !conjugate_make_ideal(data, &asked, run->arena, error)) {
+        return false;
     }
-    const struct lens *lens = question.lens.lens;
-    if (lens != NULL) {
-        const char *gap = input->focus_by == FOCUS_BY_LENS ? "last" : input->gap;
-        if ((gap != NULL &&
-             !focus_gaps_read(text_of(gap), lens, task.gaps, &task.gap_count, error)) ||
-            !put_into_media(input, &question.lens, run->arena, error)) {
-            return false;
-        }
+    struct lens_question question = asked.question;
+    struct task task = {.input = &asked,
+                        .run = run,
+                        .typed = asked.question.lens,
+                        .is_ideal = is_ideal,
+                        .height = asked.height};
+    const char *gap = asked.focus_by == FOCUS_BY_LENS ? "last" : asked.gap;
+    question.field = question.field_x = NAN;
+    if (!conjugate_check_given(&asked, error) ||
+        (gap != NULL &&
+         !focus_gaps_read(text_of(gap), question.lens.lens, task.gaps, &task.gap_count, error)) ||
+        !put_into_media(&asked, &question.lens, run->arena, error)) {
+        return false;
     }
     struct lens_cursor at = lens_begin(&question, &policy, run->arena);
     while (lens_next(&at, error)) {
@@ -398,21 +460,42 @@ static bool conjugate_makes_many(const void *data)
 {
     const struct conjugate_input *input = data;
     return lens_makes_many(&input->question, &policy) || input->gap != NULL ||
-           input->focus_by != FOCUS_BY_NOTHING ||
+           input->focus_by != FOCUS_BY_NOTHING || input->steps ||
            (input->from == CONJUGATE_FROM_SENSOR && !isnan(input->object));
 }
 
+/* Those of one lens or mirror by its numbers, by its title; in which chapter. */
+#define IDEAL_EXPLANATIONS(title, chapter)                                                         \
+    {"image_distance lens=" title, "{s'} = 1/(1/{f} - 1/{s})", "[OpenStax16] ch. " chapter,        \
+     "paraxial; distances of real objects and images are positive"},                               \
+    {                                                                                              \
+        "magnification lens=" title, "m = -{s'}/{s}", "[OpenStax16] ch. " chapter, NULL            \
+    }
+
 static const struct explanation explanations[] = {
-    {"magnification", "m = -n {f}/{x}", "[Smith05] Newton's form",
+    IDEAL_EXPLANATIONS("ideal thin lens", "2.4"),
+    IDEAL_EXPLANATIONS("concave mirror", "2.2"),
+    IDEAL_EXPLANATIONS("convex mirror", "2.2"),
+    {"efl signs", "f = -1/c of the product of all matrices", "[Smith05]",
+     "the image of each lens is the object of the next: --steps shows them"},
+    {"magnifying_power", "M = {near point}/{s}", "[OpenStax16] ch. 2.7",
+     "the eye at the lens; near point/f for an image at infinity, 1 more for one at the near "
+     "point"},
+    {"magnification !signs", "m = -n {f}/{x}", "[Smith05] Newton's form",
      "paraxial; n, n' are the indices in front of and behind the lens, 1 in air"},
     {"image_focal", "x' = n n' {f}^2/{x}", "[Smith05] Newton's form", NULL},
-    {"total", "T = {s} + {s'} + HH'", "[Smith05]; HH' from H to H'", NULL},
+    {"total !signs", "T = {s} + {s'} + HH'", "[Smith05]; HH' from H to H'", NULL},
     {"movement", "e where the ray from the axial object point has the height 0 at the image plane",
      "y and v are linear in every surface and gap", "every root that leaves no gap negative"},
     {NULL, NULL, NULL, NULL},
 };
 
 static const struct example examples[] = {
+    {"conjugate -f -15cm --object 10cm --height 3cm", "a diverging thin lens"},
+    {"conjugate --object 5cm --image 12cm", "the focal length that makes this image"},
+    {"conjugate -f 8cm --then \"gap 14cm, f -9.5cm\" --object 12cm --steps", "two thin lenses"},
+    {"conjugate --mirror concave -R 30cm --object 20cm", "a mirror"},
+    {"conjugate -f 10cm --image -25cm", "a magnifier"},
     {"conjugate double-gauss --object 1m", "where the image is, and how large"},
     {"conjugate double-gauss --object 0.5m,1m,2m,inf --from front", "for several distances"},
     {"conjugate double-gauss -m -0.5 -N 4", "half life size, upside down as in a camera"},
@@ -431,6 +514,8 @@ const struct command command_conjugate = {
         "object and image anywhere, in any medium; focusing by moving the lens or changing gaps"),
     .run = conjugate_run,
     .makes_many = conjugate_makes_many,
+    .choose_sheet = conjugate_choose_sheet,
+    .sheets = sheets,
     .plot = "magnification|image_principal_mm",
     .cell = "magnification",
 };

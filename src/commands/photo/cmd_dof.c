@@ -353,7 +353,7 @@ static bool dof_answer(const void *data, const struct photo_lens *lens, struct r
         (input->lens.rays.exact &&
          !dof_question_by_rays(input, &attached, run, setting, &row.dof, &row.rays, error)) ||
         !dof_fill_row(input, &attached, &row, error)) {
-        return false;
+        return photo_lens_hint_virtual(lens, setting->s, error);
     }
     row.criterion = criterion;
     if (solves_coc && run->leads != NULL && run->leads->title == NULL) {

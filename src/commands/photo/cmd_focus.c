@@ -35,7 +35,9 @@ static const struct option options[] = {
     OPTION_WAVELENGTH_OF_LENS(lens.wavelength, "lens"),
     OPTION_DISTANCE(distance, OPTION_SETTING, "distance of the subject; inf for infinity"),
     {MEASURE(image, length, "mm", "LENGTH"), REPEATED("image"), .quantity = "image distance",
-     ABOVE_0 | OPTION_GOAL, .help = "distance of the sensor from the rear principal plane"},
+     ABOVE_0 | OPTION_GOAL,
+     .outside = "a virtual image: lenscalc conjugate -f LENGTH --image LENGTH",
+     .help = "distance of the sensor from the rear principal plane"},
     {MEASURE(magnification, ratio, NULL, "RATIO"), REPEATED("magnification"), .letter = 'm',
      FROM_0 | OPTION_GOAL, .help = "magnification: 1:2 or 0.5"},
     {MEASURE(sensor_distance, length, "m", "LENGTH"), .name = "sensor-distance",
@@ -206,7 +208,7 @@ static bool focus_row_solve(const struct focus_input *input, const struct photo_
     if (attaches && isnan(given.s) && isnan(given.v) && isnan(given.m) && isnan(given.T)) {
         given.m = 0;
     }
-    return conjugates_solve(&given, c, error);
+    return conjugates_solve(&given, c, error) || photo_lens_hint_virtual(lens, given.s, error);
 }
 
 /* What is the same for lenses with and without attachments. */

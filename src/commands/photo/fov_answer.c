@@ -310,7 +310,7 @@ static bool fov_answer(const void *data, const struct photo_lens *bare, struct r
     if (!solve_view(&own, lens, run, &row, error) ||
         !photo_lens_check_subject(lens, row.setting.s, error) ||
         !fov_compute(&row.setting, &input->sensor.size, &row.fov, error)) {
-        return false;
+        return photo_lens_hint_virtual(lens, row.setting.s, error);
     }
     row.focal = isnan(input->converter) ? row.setting.f : attached.focal;
     row.width = input->sensor.size.width;

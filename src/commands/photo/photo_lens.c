@@ -218,3 +218,15 @@ bool photo_lens_visit(const struct photo_lens_question *question, int use, struc
     }
     return true;
 }
+
+bool photo_lens_hint_virtual(const struct photo_lens *lens, double s, struct error *error)
+{
+    if (error->code != ERROR_DOMAIN || !(s > 0 && s <= lens->f)) {
+        return false;
+    }
+    if (lens->real->title != NULL) {
+        return error_hint(error, "its virtual image: lenscalc conjugate LENS --object %.6gmm", s);
+    }
+    return error_hint(error, "its virtual image: lenscalc conjugate -f %.6gmm --object %.6gmm",
+                      lens->f, s);
+}

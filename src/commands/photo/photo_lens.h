@@ -195,4 +195,12 @@ static inline double photo_lens_light(const struct photo_lens *lens, bool matter
     return matters ? lens->wavelength : lens->real->wavelength;
 }
 
+/*
+ * After a refusal: of a subject within the focal length the command that finds its image is named.
+ *
+ * Given     s  the subject from the front principal plane, mm
+ * Result    false
+ */
+bool photo_lens_hint_virtual(const struct photo_lens *lens, double s, struct error *error);
+
 #endif

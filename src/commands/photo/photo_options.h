@@ -16,6 +16,7 @@ bool coc_is_print(const struct coc_value *coc);
 #define OPTION_FOCAL_LENGTH(member, more)                                                          \
     ENTRY(MEASURE(member, focal_length, "mm", "LENGTH"), .name = "focal-length", .letter = 'f',    \
           .column = "focal", ABOVE_0 | (more),                                                     \
+          .outside = "of a diverging lens: lenscalc conjugate -f LENGTH --object LENGTH",          \
           .help = "focal length; 26mm-eq is the equivalent on 36 x 24 mm, which is converted by "  \
                   "the diagonal of --sensor")
 
