@@ -148,6 +148,11 @@ static bool read_quoted_name(struct surface_reader *reading, struct text value)
         return file_words_fail(reading->words, value, "the name does not end with '\"'");
     }
     size_t cut = quoted ? 1 : 0;
+    const char *mark = memchr(value.start + cut, '"', value.length - 2 * cut);
+    if (mark != NULL) {
+        return file_words_fail(reading->words, (struct text){mark, 1},
+                               "a name has no quotation marks within");
+    }
     reading->surface->name =
         arena_string(reading->words->arena, value.start + cut, value.length - 2 * cut);
     return true;
