@@ -545,4 +545,4 @@ const struct format format_markdown = {
     {"markdown", "table for a document"}, .has_lists = true, TEXT(grid_write_markdown)};
 const struct format format_latex = {{"latex", "table with booktabs for a LaTeX document"},
                                     TEXT(grid_write_latex)};
-const struct format format_html = {{"html", "page to print"}, TEXT(grid_write_html)};
+const struct format format_html = {{"html", "page for printing"}, TEXT(grid_write_html)};

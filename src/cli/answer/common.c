@@ -15,7 +15,7 @@ static const struct word unit_words[] = {
 
 static const struct word *batch_format_word(size_t i)
 {
-    static const struct word automatic = {"auto", "as the first line looks"};
+    static const struct word automatic = {"auto", "judged by the first line"};
     static const struct word *const words[] = {[BATCH_AUTO] = &automatic,
                                                [BATCH_CSV] = &format_csv.word,
                                                [BATCH_TSV] = &format_tsv.word,
@@ -27,7 +27,7 @@ static const struct word *batch_format_word(size_t i)
 
 /* By enum glass_numbers. */
 static const struct word glass_numbers_words[] = {
-    {"file", "what the program that wrote the file means"},
+    {"file", "as the program that wrote the file does"},
     {"line", "the indices"},
     {"catalog", "the glass of the catalogue"},
     {NULL, NULL},
@@ -35,28 +35,27 @@ static const struct word glass_numbers_words[] = {
 
 /* By enum stop_size. */
 static const struct word stop_size_words[] = {
-    {"lens", "as its file says: paraxial, unless its aperture has the word real"},
+    {"lens", "as the file says: paraxial, unless its aperture has the word real"},
     {"paraxial", "the paraxial marginal ray"},
-    {"real", "the exact one of the primary wavelength, as other programs have it"},
+    {"real", "the exact marginal ray at the primary wavelength, as in other programs"},
     {NULL, NULL},
 };
 
 const struct option common_options[] = {
     {COMMON(format), .name = "format", .value = "FORMAT", .word_at = format_word,
-     .fallback = "text", .help = "how to print"},
+     .fallback = "text", .help = "output format"},
     {COMMON(csv), .name = "csv", .help = "short for --format csv"},
     {COMMON(tsv), .name = "tsv", .help = "short for --format tsv"},
     {COMMON(json), .name = "json", .help = "short for --format json"},
     {COMMON(jsonl), .name = "jsonl", .help = "short for --format jsonl"},
     {COMMON(columns), .name = "columns", .value = "NAMES",
-     .help = "print these columns ('?' lists them); a unit behind the name converts: near_ft"},
+     .help = "print these columns ('?' lists them); a unit after the name converts: near_ft"},
     {COMMON(value), .name = "value", .value = "COLUMN",
      .excludes = "format csv tsv json jsonl columns table no-header", .why = "a value stands bare",
-     .help = "print the values of this column alone, without name and unit, for $(...)"},
-    {COMMON(no_header), .name = "no-header",
-     .help = "leave out the line of names above the rows of csv and tsv"},
+     .help = "print only the values of this column, without name or unit, for $(...)"},
+    {COMMON(no_header), .name = "no-header", .help = "omit the header line of csv and tsv"},
     {COMMON(digits), .name = "digits", .value = "N", .lowest = 1, .highest = 17,
-     .help = "significant digits (text: 4; machine formats: as many as read back the same)"},
+     .help = "significant digits (text: 4; machine formats: the fewest that read back exactly)"},
     {COMMON(units), .name = "units", .value = "SYSTEM", .words = unit_words, .fallback = "metric",
      .help = "metric or imperial distances in text, markdown, latex and html"},
     {COMMON(table), .name = "table", .value = "ROW,COL[:VALUE]",
@@ -64,14 +63,14 @@ const struct option common_options[] = {
     {COMMON(plot), .name = "plot", .value = "FILE", .flags = OPTION_FILE, .types = drawing_types,
      .help = "draw the results against the swept option"},
     {COMMON(explain), .name = "explain", .flags = OPTION_ASIDE,
-     .help = "print formulas, numbers put in, and sources"},
+     .help = "print formulas, with the numbers substituted, and sources"},
     {COMMON(nominal), .name = "nominal",
-     .help = "f-numbers, times and ISO are labels of stop series: use their exact values"},
+     .help = "take f-numbers, times and ISO as labels of a stop series: use their exact values"},
     {COMMON(batch), .name = "batch", .value = "FILE", .flags = OPTION_FILE,
-     .help = "read inputs as rows from FILE, or from standard input with -; an option is what "
-             "empty cells of its column take"},
+     .help = "read inputs as rows from FILE, or from standard input with -; an option fills the "
+             "empty cells of its column"},
     {COMMON(batch_format), .name = "batch-format", .value = "FORMAT", .word_at = batch_format_word,
-     .fallback = "auto", .help = "what the rows of --batch are"},
+     .fallback = "auto", .help = "format of the rows of --batch"},
     {COMMON(fail_fast), .name = "fail-fast", .help = "stop at the first row that fails"},
     {COMMON(force), .name = "force", .flags = OPTION_ASIDE,
      .help = "allow sweeps of very many rows; overwrite inputs, and results of fits and searches"},
@@ -88,8 +87,8 @@ const struct option common_options[] = {
          "drop what cannot be carried over between file formats, and list it on standard error"},
     {COMMON(glass_numbers), .name = "glass-numbers", .value = "WHICH", .words = glass_numbers_words,
      .fallback = "file",
-     .help = "of a lens file with indices beside the name of a glass, where the two differ: line "
-             "takes the indices, catalog the glass, file what the file means"},
+     .help = "which to use where a lens file has indices beside the name of a glass and the two "
+             "differ"},
     {COMMON(stop_size), .name = "stop-size", .value = "RAY", .words = stop_size_words,
      .fallback = "lens",
      .help = "the marginal ray of the aperture (f-number, pupil, numerical aperture) that gives "
@@ -101,11 +100,11 @@ const struct option common_options[] = {
     {COMMON(no_config), .name = "no-config",
      .help = "take no defaults from the configuration (also an empty variable LENSCALC_CONFIG)"},
     {COMMON(color), .name = "color", .value = "WHEN", .flags = OPTION_ASIDE, .words = color_words,
-     .fallback = "auto", .help = "colour the heads of tables, warnings and errors"},
+     .fallback = "auto", .help = "colour table heads, warnings and errors"},
     {COMMON(usage), .name = "usage", .letter = 'h', .flags = OPTION_ASIDE,
-     .help = "show examples and the command's own options, a line each"},
+     .help = "show examples and the command's own options, one line each"},
     {COMMON(help), .name = "help", .flags = OPTION_ASIDE,
-     .help = "show all about examples and options"},
+     .help = "show examples and all options in full"},
 };
 
 const size_t common_option_count = sizeof common_options / sizeof common_options[0];

@@ -94,7 +94,7 @@ static bool filter_stops(const struct option *option, struct text piece, double 
                           text_shown(piece), piece.start);
     }
     return (*stops >= 0 && *stops <= 100) ||
-           bad_filter(option, piece, "a loss of light is 0 to 100 stops", error);
+           bad_filter(option, piece, "a light loss is 0 to 100 stops", error);
 }
 
 /* ND with a decimal point is a density, without one a factor; "ND 6 stops" says what it is. */
