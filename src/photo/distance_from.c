@@ -5,10 +5,10 @@
 #include <math.h>
 
 const struct word distances_from[DISTANCES_FROM + 1] = {
-    [FROM_PRINCIPAL] = {"principal", "the front principal plane, as the formulas have it"},
-    [FROM_SENSOR] = {"sensor", "the sensor, as distance scales on lenses have it"},
+    [FROM_PRINCIPAL] = {"principal", "the front principal plane, as in the formulas"},
+    [FROM_SENSOR] = {"sensor", "the sensor, as on the distance scales of lenses"},
     [FROM_ENTRANCE] = {"entrance", "the entrance pupil, the centre of perspective"},
-    [FROM_FRONT] = {"front", "the front of the lens, its first vertex; of a real lens only"},
+    [FROM_FRONT] = {"front", "the first vertex of the lens; real lenses only"},
 };
 
 double distance_image(double f, double s)

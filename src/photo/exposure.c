@@ -45,7 +45,7 @@ static bool exposure_check_ranges(const struct exposure_given *g, struct error *
                           ev_limit, error) &&
            require_within("exposure value at the ISO speed", "", exposure_or_else(g->ev, 0),
                           -ev_limit, ev_limit, error) &&
-           require_within("loss of light", " stops", g->loss, LOSS_LEAST, 200, error) &&
+           require_within("light loss", " stops", g->loss, LOSS_LEAST, 200, error) &&
            require_within("exposure compensation", " stops", g->compensation, -ev_limit, ev_limit,
                           error);
 }

@@ -19,7 +19,7 @@ static bool flash_check_setting(const struct flash_setting *s, struct error *err
         return fail(error, ERROR_DOMAIN, "{flash power} %.10g must lie above 0 and up to 1",
                     s->power);
     }
-    return require_within("loss of light", " stops", s->loss, 0, 100, error);
+    return require_within("light loss", " stops", s->loss, 0, 100, error);
 }
 
 static void flash_assume(double *value, double usual)

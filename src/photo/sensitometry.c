@@ -37,7 +37,7 @@ bool focal_plane_exposure(double q, double L, double N, double t, double loss, d
     return require_positive("luminance", " cd/m^2", L, error) &&
            require_positive("f-number", "", N, error) &&
            require_positive("exposure time", " s", t, error) &&
-           require_within("loss of light", " stops", loss, LOSS_LEAST, 200, error) &&
+           require_within("light loss", " stops", loss, LOSS_LEAST, 200, error) &&
            answer_positive("the focal-plane exposure", *H, error);
 }
 

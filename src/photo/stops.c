@@ -81,7 +81,7 @@ bool light_loss(const struct light_loss *loss, double *stops, struct error *erro
     /* 30 densities or 100 stops are past anything that passes light at all */
     if (!require_within("density", "", density, 0, 30, error) ||
         !require_within("filter factor", "", factor, 1, 1e30, error) ||
-        !require_within("loss of light", " stops", extra, 0, 100, error) ||
+        !require_within("light loss", " stops", extra, 0, 100, error) ||
         !lens_loss(loss, &lens, error)) {
         return false;
     }

@@ -16,7 +16,7 @@ bool by_rays_accepts(const char *criterion, struct error *error);
 #define BY_RAYS_CRITERION_OPTION(member)                                                           \
     ENTRY(ASKED(member.criterion), .name = "criterion", .wants = "exact", .value = "RULE",         \
           .accepts = by_rays_accepts,                                                              \
-          .help = "what of a blur counts, with --exact: rms (the default), energy80, mtf@40/mm")
+          .help = "measure of blur, with --exact: rms (the default), energy80, mtf@40/mm")
 
 /* What an answer by rays says of itself. */
 struct by_rays_row {

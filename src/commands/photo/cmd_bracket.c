@@ -23,13 +23,13 @@ static const struct option options[] = {
      ABOVE_0, .help = "time at the other end: 1/1000s"},
     OPTION_TIME(time, 0),
     {MEASURE(given.step, stops, NULL, "STOPS"), REPEATED("step"), ABOVE_0,
-     .help = "stops between two shots (1 unless --shots divides the span)"},
+     .help = "stops between shots (1 unless --shots divides the span)"},
     {MEASURE(given.shots, number, NULL, "N"), REPEATED("shots"), .quantity = "number of shots",
      .lowest = 1, .highest = BRACKET_SHOTS, .help = "number of shots"},
     {MEASURE(range, stops, NULL, "STOPS"), REPEATED("range"), .quantity = "range of a shot",
-     ABOVE_0, .help = "contrast that one shot records: shows what the bracket covers"},
+     ABOVE_0, .help = "dynamic range of one shot: shows what the bracket covers"},
     {MEASURE(scene_range, stops, NULL, "STOPS"), .name = "scene-range", .column = "scene_range",
-     ABOVE_0, .help = "contrast of the scene: with --range gives the number of shots"},
+     ABOVE_0, .help = "dynamic range of the scene: with --range gives the number of shots"},
     OPTION_SERIES(series),
 };
 
@@ -162,7 +162,7 @@ static const struct example examples[] = {
     {"bracket --from 30s --to 1/1000s", "sixteen shots for a high dynamic range"},
     {"bracket -t 1/60 --shots 5 --step 2/3", "around a metered time"},
     {"bracket -t 1/60 --scene-range 18 --range 10 --step 2", "as many as the scene needs"},
-    {"bracket --from 30s --to 1/1000s --nominal", "with the times the camera really makes"},
+    {"bracket --from 30s --to 1/1000s --nominal", "with the exact times of the camera"},
     {NULL, NULL},
 };
 

@@ -28,7 +28,7 @@ static const struct option options[] = {
     {MEASURE(frequency, frequency, "per_mm", "FREQUENCY"), REPEATED("frequency"),
      .quantity = "spatial frequency", FROM_0,
      .excludes = "coc print viewing acuity pixels film focus-spread near focal-length",
-     .help = "contrast at this spatial frequency on the sensor; 10..100:10 for a table"},
+     .help = "MTF at this spatial frequency on the sensor; 10..100:10 for a table"},
     {MEASURE(magnification, ratio, NULL, "RATIO"), REPEATED("magnification"), .letter = 'm', FROM_0,
      .fallback = "0", .help = "magnification: 1:2 or 0.5"},
     OPTION_PUPIL_OF_LENS(lens.pupil, NULL),
@@ -42,7 +42,8 @@ static const struct option options[] = {
      FROM_0, .fallback = "0", .help = "diameter of the blur disc that defocus makes on the sensor"},
     {MEASURE(focus_spread, length, "mm", "LENGTH"), .name = "focus-spread",
      .column = "focus_spread", ABOVE_0,
-     .help = "between the images of the nearest and farthest points: gives the best f-number"},
+     .help =
+         "distance between the images of the nearest and farthest points: gives the best f-number"},
     OPTION_FOCAL_LENGTH(lens.focal, 0),
     {MEASURE(near, length, "m", "LENGTH"), REPEATED("near"), .quantity = "nearest point", ABOVE_0,
      .help = "nearest point that must be sharp, with -f or --lens: the best f-number"},
@@ -381,7 +382,7 @@ static const struct explanation explanations[] = {
 static const struct example examples[] = {
     {"diffraction -N 64 -w 500nm", "the Airy disc of group f/64"},
     {"diffraction -N 2.8..32 --sensor \"Nikon D1\"", "stopping down a camera from the list"},
-    {"diffraction -N 8 --frequency 10..100:10 --pitch 4um", "a table of contrast"},
+    {"diffraction -N 8 --frequency 10..100:10 --pitch 4um", "a table of the MTF"},
     {"diffraction -N 16 -m 1:1", "life size: f/16 works as f/32"},
     {"diffraction --na 0.65 -m 40", "a microscope objective, on its camera"},
     {"diffraction --lens cooke-triplet-50", "a real lens wide open, in its own light"},

@@ -36,17 +36,18 @@ static const struct option options[] = {
     {MEASURE(targets.magnification, ratio, NULL, "RATIO"), REPEATED("magnification"), .letter = 'm',
      FROM_0 | OPTION_GOAL, .help = "wanted magnification: 1:2 or 0.5"},
     {ASKED(stack), .name = "stack",
-     .help = "plan a focus stack, one row a shot: from --near to --far, or so deep as --dof says; "
-             "-m is the magnification of its first shot"},
+     .help = "plan a focus stack, one row per shot: from --near to --far, or as deep as --dof; -m "
+             "is the magnification of the first shot"},
     {MEASURE(overlap, ratio, NULL, "FRACTION"), .name = "overlap", .wants = "stack", .lowest = 0,
      .highest = 0.95, .fallback = "0.2",
-     .help = "part of each shot's depth that the next one covers again, for --stack"},
+     .help = "overlap of successive shots, as a fraction of the depth of field, for --stack"},
     {ASKED(other), .name = "equal-on", .value = "NAME|WxH",
      .help = "focal length and f-number for the same picture on another format"},
     ATTACHMENT_OPTIONS(attached),
-    OPTION_SQUEEZE(squeeze, NULL, "anamorphic squeeze: adds what it does across the picture"),
+    OPTION_SQUEEZE(squeeze, NULL,
+                   "anamorphic squeeze: adds the results for the horizontal direction"),
     OPTION_T_NUMBER(t_stop, "T-stop of the lens, for exposure; -N gives the depth of field"),
-    BY_RAYS_EXACT_OPTION(lens.rays, "limits by the rays of --lens, aberrations included"),
+    BY_RAYS_EXACT_OPTION(lens.rays, "limits from the exact rays of --lens, aberrations included"),
     BY_RAYS_CRITERION_OPTION(lens.rays),
 };
 

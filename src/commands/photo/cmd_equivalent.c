@@ -24,13 +24,13 @@ static const struct word measures[] = {
     {"diagonal", "by the diagonals, as crop factors are"},
     {"width", "by the widths: the same horizontal angle"},
     {"height", "by the heights: the same vertical angle"},
-    {"area", "by the square roots of the areas: the same light in all"},
+    {"area", "by the square roots of the areas: the same total light"},
     {NULL, NULL},
 };
 
 /* Indexed by enum equivalent_keep. */
 static const struct word kept[] = {
-    {"picture", "depth of field, diffraction, time and light in all; f-number and ISO change"},
+    {"picture", "depth of field, diffraction, time and total light; f-number and ISO change"},
     {"exposure", "f-number, ISO and time; depth of field and noise change"},
     {NULL, NULL},
 };
@@ -215,7 +215,7 @@ static const struct example examples[] = {
     {"equivalent -f 80 -N 2.8 --sensor 6x6 --to 35mm,aps-c,4/3", "several formats at once"},
     {"equivalent -f 23 -N 2 --sensor aps-c --keep exposure", "with the exposure kept"},
     {"equivalent --lens canon-nfd-70-210 --position all --to aps-c", "a real zoom lens"},
-    {"equivalent -f 100 -N 8 -m 1:1 --to aps-c", "close up the plain crop factor is wrong"},
+    {"equivalent -f 100 -N 8 -m 1:1 --to aps-c", "close up, where the plain crop factor is wrong"},
     {NULL, NULL},
 };
 

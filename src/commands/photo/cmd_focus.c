@@ -42,17 +42,17 @@ static const struct option options[] = {
      FROM_0 | OPTION_GOAL, .help = "magnification: 1:2 or 0.5"},
     {MEASURE(sensor_distance, length, "m", "LENGTH"), .name = "sensor-distance",
      .column = "sensor_distance", ABOVE_0_OR_INFINITE | OPTION_GOAL,
-     .help = "distance from subject to sensor, as lens scales have it"},
+     .help = "distance from subject to sensor, as on lens scales"},
     {ASKED(enlarged), .name = "enlarged", .wants = "sensor-distance|from=sensor",
      .help = "of the two solutions for --sensor-distance, the one with m above 1"},
     OPTION_APERTURE(lens.fnumber, 0),
     OPTION_PUPIL_OF_LENS(lens.pupil, NULL),
     OPTION_FROM(lens.from, distances_from),
     {MEASURE(hiatus, length, "mm", "LENGTH"), .name = "hiatus", .flags = OPTION_NO_INFINITY,
-     .help = "distance between the principal planes; without it that of --lens, else 0"},
+     .help = "distance between the principal planes; default that of --lens, else 0"},
     {MEASURE(front, length, "mm", "LENGTH"), .name = "front", .quantity = "front principal plane",
      .flags = OPTION_NO_INFINITY,
-     .help = "front principal plane seen from the lens's front, + towards the sensor; brings the "
+     .help = "front principal plane from the front of the lens, + towards the sensor; adds the "
              "working distance"},
     {ASKED(reversed), .name = "reversed", .help = "the lens is mounted back to front"},
     OPTION_CLOSE_UP(attached.close_up),
@@ -62,7 +62,7 @@ static const struct option options[] = {
      .quantity = "f-number of the stacked lens", ABOVE_0, .wants = "stacked", OPTION_USUAL_FNUMBER,
      .help = "f-number of the stacked lens, where it limits the beam"},
     {MEASURE(gap, length, "mm", "LENGTH"), .name = "gap", FROM_0, .fallback = "0",
-     .wants = "stacked|close-up", .help = "from the front of the lens to what is attached there"},
+     .wants = "stacked|close-up", .help = "distance from the front of the lens to the attachment"},
     OPTION_TUBE(attached.tube),
     OPTION_CONVERTER(attached.converter),
     {MEASURE(converter_length, length, "mm", "LENGTH"), .name = "converter-length",
@@ -70,7 +70,7 @@ static const struct option options[] = {
      .help = "how much longer the converter makes the lens"},
     {ASKED(order), REPEATED("order"), .words = orders, .fallback = "tube-converter",
      .value = "ORDER", .help = "which of tube and converter is nearer to the lens"},
-    BY_RAYS_EXACT_OPTION(lens.rays, "put the sensor where the rays of --lens are sharpest"),
+    BY_RAYS_EXACT_OPTION(lens.rays, "put the sensor at the best focus of the exact rays of --lens"),
     BY_RAYS_CRITERION_OPTION(lens.rays),
 };
 
@@ -426,7 +426,8 @@ static const struct explanation explanations[] = {
 static const struct example examples[] = {
     {"focus -f 50mm -s 3m -N 2.8", "where a 50 mm lens puts the image of a subject at 3 m"},
     {"focus -f 100mm -m 1:1 -N 8", "life size: distances, extension, exposure"},
-    {"focus -m 1:4 --sensor-distance 0.45m", "the focal length a macro lens has at its nearest"},
+    {"focus -m 1:4 --sensor-distance 0.45m",
+     "the focal length of a macro lens at its closest focus"},
     {"focus -f 50 -s 45cm --from sensor --tube 12,20,36", "extension tubes"},
     {"focus -f 100 -m 1:2 -N 4 --converter 2x --close-up 3", "converter and close-up lens"},
     {"focus --lens double-gauss -m 1:4", "a real lens: working distance from its first surface"},

@@ -10,7 +10,7 @@
 #include <math.h>
 
 static const struct word focusings[] = {
-    {"lens", "the whole lens moves before the sensor"},
+    {"lens", "the whole lens moves relative to the sensor"},
     {NULL, NULL},
 };
 
@@ -68,13 +68,15 @@ static const struct option options[] = {
     {ASKED(dori), .name = "dori",
      .excludes = "density field field-width field-height field-diagonal",
      .help = "all six tasks of IEC 62676-4:2014, from monitor to inspect"},
-    OPTION_PIXELS(pixels, "of --sensor, or with --pitch in its place: 2448x2048, 4Mpx, 1080p"),
+    OPTION_PIXELS(pixels,
+                  "pixels of --sensor, or with --pitch in its place: 2448x2048, 4Mpx, 1080p"),
     OPTION_PITCH_ALONE(pitch, NULL,
                        "pixel pitch (otherwise that of the camera): adds the angle of a pixel"),
     {ASKED(line_scan), .name = "line-scan",
      .help = "the sensor is one line of pixels, the width its length"},
     {MEASURE(speed, speed, "m_s", "SPEED"), REPEATED("speed"), .letter = 'v', ABOVE_0,
-     .wants = "line-scan", .help = "of what passes the line: adds the line rate for square pixels"},
+     .wants = "line-scan",
+     .help = "speed of what passes the line: adds the line rate for square pixels"},
     {MEASURE(line_rate, rate, "Hz", "RATE"), .name = "line-rate", .quantity = "line rate",
      .column = "line_rate", ABOVE_0, .wants = "line-scan", .excludes = "speed",
      .help = "of the camera: adds the speed at which pixels are square"},
@@ -93,16 +95,17 @@ static const struct option options[] = {
     {MEASURE(blur, pixels, NULL, "PIXELS"), REPEATED("blur"), ABOVE_0, .fallback = "1",
      .wants = "na|aperture", .help = "pixels that a point may be blurred to within its depth"},
     {MEASURE(altitude, length, "m", "LENGTH"), REPEATED("altitude"), ABOVE_0,
-     .help = "of a drone looking straight down: adds the ground coverage of pixel and picture"},
+     .help = "altitude of a drone that looks straight down: adds the ground coverage of a pixel "
+             "and of the picture"},
     {MEASURE(gsd, length, "cm", "LENGTH"), REPEATED("gsd"), .quantity = "ground sample", ABOVE_0,
      .help = "wanted ground sampling distance, in place of --altitude: solves for it"},
     SKY_OPTIONS(sky),
-    BY_RAYS_EXACT_OPTION(lens.rays, "put the sensor where the rays of --lens are sharpest"),
+    BY_RAYS_EXACT_OPTION(lens.rays, "put the sensor at the best focus of the exact rays of --lens"),
     BY_RAYS_CRITERION_OPTION(lens.rays),
     {ASKED(focus_by), .name = "focus-by", .words = focusings, .fallback = "lens", .wants = "lens",
-     .excludes = "gap", .value = "HOW", .help = "how --lens is focused; adds how much it breathes"},
+     .excludes = "gap", .value = "HOW", .help = "how --lens is focused; adds its breathing"},
     {ASKED(gap), .name = "gap", .wants = "lens", .value = "GAPS", .excludes = FIELDS,
-     .help = "focus by these gaps before a sensor that stays, as 'conjugate' does: d5,10:-1"},
+     .help = "focus by these gaps, the sensor staying fixed, as 'conjugate' does: d5,10:-1"},
 };
 
 #define ROW struct fov_row
@@ -260,7 +263,7 @@ static const struct example examples[] = {
     {"fov -f 8mm --projection equisolid --sensor mft", "a fisheye"},
     {"fov --lens double-gauss -s 0.5m", "a real lens, close up, by its rays"},
     {"fov --lens fisheye-16", "and a fisheye"},
-    {"fov --lens double-gauss -s 1m,2m,4m,inf --exact", "how much a lens breathes"},
+    {"fov --lens double-gauss -s 1m,2m,4m,inf --exact", "the breathing of a lens"},
     {"fov -f 50mm --squeeze 2 --sensor scope", "anamorphic cinema"},
     {"fov -f 1200mm --sensor \"ZWO ASI2600MC Pro\" --subject moon", "a camera on a telescope"},
     {"fov -f 8.8mm --sensor 13.2x8.8mm --pitch 2.41um --altitude 60m,120m", "from a drone"},

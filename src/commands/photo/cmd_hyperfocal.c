@@ -28,10 +28,11 @@ static const struct option options[] = {
      .quantity = "hyperfocal distance", ABOVE_0 | OPTION_GOAL,
      .help = "wanted hyperfocal distance: solves for focal length or f-number"},
     {MEASURE(near, length, "m", "LENGTH"), REPEATED("near"), .quantity = "near limit",
-     ABOVE_0 | OPTION_GOAL, .help = "wanted near limit there, in place of --hyperfocal"},
+     ABOVE_0 | OPTION_GOAL,
+     .help = "wanted near limit with the focus there, in place of --hyperfocal"},
     OPTION_SQUEEZE(squeeze, NULL,
                    "anamorphic squeeze: adds the horizontal focal length; -f is the marked one"),
-    BY_RAYS_EXACT_OPTION(lens.rays, "by the rays of --lens, aberrations included"),
+    BY_RAYS_EXACT_OPTION(lens.rays, "from the exact rays of --lens, aberrations included"),
     BY_RAYS_CRITERION_OPTION(lens.rays),
 };
 
@@ -229,7 +230,7 @@ static const struct example examples[] = {
     {"hyperfocal -f 24mm --near 1m", "the f-number that is sharp from 1 m to infinity"},
     {"hyperfocal -f 40mm -N 2.8 --squeeze 2 --sensor scope", "anamorphic cinema"},
     {"hyperfocal --lens wide-35 -N 8", "a real lens: what to set on its distance scale"},
-    {"hyperfocal --lens wide-35 -N 8 --exact", "and by its own rays"},
+    {"hyperfocal --lens wide-35 -N 8 --exact", "and from its exact rays"},
     {NULL, NULL},
 };
 

@@ -26,7 +26,7 @@ static const struct option options[] = {
     OPTION_APERTURE(fnumber, 0),
     OPTION_DECLINATION(
         declination, NULL,
-        "of the frame's centre; 0 is the celestial equator, where stars are fastest"),
+        "declination of the frame's centre; 0 is the celestial equator, where stars are fastest"),
     OPTION_TIME(time, 0),
     {MEASURE(trail, length, "um", "LENGTH"), .name = "trail", .column = "trail_wanted",
      .excludes = "coc",
@@ -229,7 +229,7 @@ static const struct explanation explanations[] = {
 static const struct example examples[] = {
     {"stars -f 20mm -N 1.8 --sensor \"Nikon D850\"", "with the pixels of a camera"},
     {"stars -f 24mm -N 2.8 --pitch 4.35um", "500 rule, NPF rule and exact, side by side"},
-    {"stars -f 14,20,24,35,50 -N 2.8 --pitch 5um --trail 2px", "a table for the bag"},
+    {"stars -f 14,20,24,35,50 -N 2.8 --pitch 5um --trail 2px", "a table to carry along"},
     {"stars -f 50mm --declination 60deg -t 20s", "how long the trails of 20 seconds are"},
     {"stars -t 15s --declination 45deg", "the longest focal length for 15 seconds"},
     {NULL, NULL},

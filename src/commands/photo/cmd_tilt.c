@@ -28,7 +28,8 @@ static const struct option options[] = {
     OPTION_APERTURE(fnumber, 0),
     {MEASURE(tilt, angle, "deg", "ANGLE"), REPEATED("tilt"),
      .flags = OPTION_NO_INFINITY | OPTION_SETTING,
-     .help = "of the lens against the sensor, -90 to 90 deg; positive turns its top forward"},
+     .help =
+         "tilt of the lens relative to the sensor, -90 to 90 deg; positive turns its top forward"},
     {MEASURE(hinge, length, "m", "LENGTH"), REPEATED("hinge"),
      .flags = OPTION_NO_INFINITY | OPTION_GOAL,
      .help = "wanted depth of the hinge line below the lens: solves for the tilt"},
@@ -39,7 +40,7 @@ static const struct option options[] = {
      .help = "distance of the sharp point straight ahead, along the sensor's normal"},
     {MEASURE(angle, angle, "deg", "ANGLE"), REPEATED("angle"),
      .quantity = "angle of the plane of focus", .flags = OPTION_NO_INFINITY | OPTION_GOAL,
-     .help = "of the plane of sharp focus against the sensor: 90deg for level ground"},
+     .help = "angle of the plane of sharp focus to the sensor: 90deg for level ground"},
     {ASKED(through), .name = "through", .value = "POINT,POINT",
      .help = "two points that must be sharp, as distance:height: 2m:-1.5m,30m:0m, inf:5deg"},
     SHARPNESS_OPTIONS(sharp, 0, "d/1500", coc_is_pixels),

@@ -22,7 +22,7 @@ static const struct option options[] = {
     {MEASURE(given.event, time, "s", "TIME"), REPEATED("event"), .quantity = "event length",
      ABOVE_0 | OPTION_NO_SERIES, .help = "length of the event that is recorded: 2h, 45min"},
     {MEASURE(given.interval, time, "s", "TIME"), REPEATED("interval"), ABOVE_0 | OPTION_NO_SERIES,
-     .help = "from the start of one shot to the start of the next"},
+     .help = "time from the start of one shot to the start of the next"},
     {MEASURE(given.shots, number, NULL, "N"), REPEATED("shots"), .quantity = "number of shots",
      .lowest = 1, .highest = TIMELAPSE_SHOTS, .help = "number of shots"},
     {MEASURE(given.clip, time, "s", "TIME"), REPEATED("clip"), .quantity = "clip length",
@@ -32,7 +32,7 @@ static const struct option options[] = {
     OPTION_TIME(given.time, 0),
     {MEASURE(given.gap, time, "s", "TIME"), REPEATED("gap"), FROM_0 | OPTION_NO_SERIES,
      .fallback = "1", .wants = "time",
-     .help = "that the camera needs between two exposures, to write and for a delay of its own"},
+     .help = "time that the camera needs between exposures, to write and for its own delay"},
     {MEASURE(given.frame, storage, "MB", "SIZE"), .name = "frame-size", .column = "frame_size",
      ABOVE_0, .help = "storage per shot: 25MB"},
     {MEASURE(given.card, storage, "GB", "SIZE"), REPEATED("card"), ABOVE_0,
@@ -42,8 +42,9 @@ static const struct option options[] = {
      .help = "angle about the pole that star trails are to span, in place of --event"},
     {MEASURE(focal, focal_length, "mm", "LENGTH"), .name = "focal-length", .letter = 'f',
      .column = "focal", ABOVE_0, .wants = "time", .help = "focal length: adds the trails of stars"},
-    OPTION_DECLINATION(declination, "focal-length",
-                       "of the stars; 0 is the celestial equator, where they are fastest"),
+    OPTION_DECLINATION(
+        declination, "focal-length",
+        "declination of the stars; 0 is the celestial equator, where they are fastest"),
     OPTION_PITCH_ALONE(pitch, "focal-length",
                        "pixel pitch: gives the gaps of star trails in pixels"),
 };
@@ -62,7 +63,7 @@ struct timelapse_row {
 static const struct column columns[] = {
     {SHOWN(plan.shots), .name = "shots", BRIEF, .symbol = "n", .help = "number of shots"},
     {TIME(plan.interval), .name = "interval", BRIEF | COLUMN_SPAN, .symbol = "i",
-     .help = "from the start of one shot to the start of the next"},
+     .help = "time from the start of one shot to the start of the next"},
     {TIME(plan.event), .name = "event", BRIEF | COLUMN_SPAN, .symbol = "D", .label = "event length",
      .help = "that all shots cover, each with its interval"},
     {TIME(plan.clip), .name = "clip", BRIEF | COLUMN_SPAN, .symbol = "C", .label = "clip length",

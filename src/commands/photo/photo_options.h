@@ -43,7 +43,7 @@ bool coc_is_print(const struct coc_value *coc);
     ENTRY(MEASURE(member, length, "mm", "LENGTH"), REPEATED("coc"), .letter = 'c',                 \
           .quantity = "circle of confusion", FROM_0 | (more), .fallback = (fallback_text),         \
           .help = "circle of confusion: a diameter, d/1500 (part of the sensor's diagonal), 2px "  \
-                  "(pixels), airy (the disc of diffraction), print (just visible on a print)")
+                  "(pixels), airy (the Airy disc), print (just visible on a print)")
 
 #define OPTION_SENSOR(member)                                                                      \
     ENTRY(ASKED(member), REPEATED("sensor"), .fallback = "35mm", .value = "NAME|WxH",              \
@@ -52,14 +52,16 @@ bool coc_is_print(const struct coc_value *coc);
 #define OPTION_PUPIL(member)                                                                       \
     ENTRY(MEASURE(member, number, NULL, "NUMBER"), .name = "pupil", .letter = 'P',                 \
           .quantity = "pupil magnification", .column = "pupil_magnification", ABOVE_0,             \
-          .fallback = "1", .help = "pupil magnification, exit over entrance pupil")
+          .fallback = "1", .help = "pupil magnification, exit pupil over entrance pupil")
 
 /* The same where a real lens may have its own: absent means 1 only without --lens. */
 #define OPTION_PUPIL_OF_LENS(member, use)                                                          \
-    ENTRY(MEASURE(member, number, NULL, "NUMBER"), .name = "pupil", .letter = 'P',                 \
-          .quantity = "pupil magnification", .column = "pupil_magnification", ABOVE_0,             \
-          .wants = (use),                                                                          \
-          .help = "pupil magnification, exit over entrance pupil; default that of --lens, else 1")
+    ENTRY(                                                                                         \
+        MEASURE(member, number, NULL, "NUMBER"), .name = "pupil", .letter = 'P',                   \
+        .quantity = "pupil magnification", .column = "pupil_magnification", ABOVE_0,               \
+        .wants = (use),                                                                            \
+        .help =                                                                                    \
+            "pupil magnification, exit pupil over entrance pupil; default that of --lens, else 1")
 
 #define USUAL_PITCH                                                                                \
     .usual = {0.3e-3, 30e-3}, .unusual = "pixels are 0.3 to 30 um wide: is the unit right?"
@@ -84,8 +86,9 @@ bool coc_is_print(const struct coc_value *coc);
 #define OPTION_PRINT(member)                                                                       \
     ENTRY(MEASURE(member, length, "mm", "PRINT"), .name = "print", ABOVE_0,                        \
           .serves = coc_is_print, .served = "print",                                               \
-          .help = "for --coc print, which it implies: the long side (254 mm), 16x24in or a "       \
-                  "paper, A2; seen from 1 m: A2@1m; by which eye: A2@1m@20/20")
+          .help = "size of the print, for --coc print, which it implies: the long side (254 mm), " \
+                  "16x24in or a paper size, A2; with viewing distance, A2@1m; and visual acuity, " \
+                  "A2@1m@20/20")
 
 #define OPTION_VIEWING(member)                                                                     \
     ENTRY(MEASURE(member, length, "mm", "LENGTH"), .name = "viewing", ABOVE_0,                     \
@@ -141,8 +144,8 @@ bool coc_is_print(const struct coc_value *coc);
 #define OPTION_FILTER(member, column_name)                                                         \
     ENTRY(MEASURE(member, stops, NULL, "FILTER[+FILTER]"), .name = "filter",                       \
           .column = (column_name),                                                                 \
-          .help = "on the lens: ND8 (factor), ND0.9 (density), 3stops, 8x, or a name from 'list "  \
-                  "filters'")
+          .help = "filter on the lens: ND8 (factor), ND0.9 (density), 3stops, 8x, or a name from " \
+                  "'list filters'")
 
 #define OPTION_SERIES(member)                                                                      \
     ENTRY(ASKED(member), .name = "series", .value = "SERIES", .fallback = "third",                 \
