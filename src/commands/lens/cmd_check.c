@@ -417,7 +417,7 @@ static const struct example examples[] = {
 
 const struct command command_check = {
     .name = "check",
-    COMMAND_OF("a lens", "paraxial results against exact rays, and how far to trust them"),
+    COMMAND_OF("a lens", "paraxial results compared with exact rays, and how far to trust them"),
     .run = check_command_run,
     .makes_many = command_always_many,
     COMMAND_MAKES(artifacts),

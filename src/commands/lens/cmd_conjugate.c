@@ -11,7 +11,7 @@
 
 static const struct word focusings[] = {
     [FOCUS_BY_NOTHING] = {"nothing", "the image falls where it falls"},
-    [FOCUS_BY_LENS] = {"lens", "the whole lens moves before its image plane"},
+    [FOCUS_BY_LENS] = {"lens", "the whole lens moves relative to its image plane"},
     {NULL, NULL},
 };
 

@@ -139,7 +139,7 @@ static const struct example examples[] = {
     {"lens double-gauss -w d", "one wavelength"},
     {"lens double-gauss -N 4 --field 14deg --json", "stopped down, for a script"},
     {"lens canon-nfd-70-210 --position all", "a zoom in all its positions"},
-    {"lens double-gauss wide-35 telephoto-200 -w d", "several lenses beside one another"},
+    {"lens double-gauss wide-35 telephoto-200 -w d", "several lenses side by side"},
     {"lens double-gauss -w 400..700:50 --columns wavelength_nm,bfl_mm", "chromatic focal shift"},
     {NULL, NULL},
 };

@@ -18,7 +18,7 @@ struct lensmaker_input {
 
 /* Indexed by the member `solution`. */
 static const struct word solutions[] = {
-    {"first", "the one that the thin lens has too"},
+    {"first", "the one that corresponds to the thin lens"},
     {"second", "the other one"},
     {NULL, NULL},
 };
@@ -48,7 +48,7 @@ static const struct option options[] = {
     {INDEX(n0), .name = "before", .column = "index_before", .fallback = "1",
      .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .help = "index of the medium in front"},
     {INDEX(n1), .name = "after", .column = "index_after", .fallback = "1",
-     .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .help = "index of the medium after"},
+     .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .help = "index of the medium behind"},
     {ASKED(ball), .name = "ball", .help = "a ball lens of diameter --thickness"},
     {ASKED(solution), REPEATED("solution"), .words = solutions, .fallback = "first",
      .value = "WHICH", .help = "which solution, where there are two"},
@@ -111,7 +111,7 @@ static const struct column columns[] = {
     {SHOWN(lens.n0), .name = "index_before", .symbol = "n0", ASSUMED_BY("before") | COLUMN_ECHO,
      .label = "index before", .help = "index of the medium in front of the lens"},
     {SHOWN(lens.n1), .name = "index_after", .symbol = "n1", ASSUMED_BY("after") | COLUMN_ECHO,
-     .label = "index after", .help = "index of the medium after the lens"},
+     .label = "index after", .help = "index of the medium behind the lens"},
 };
 
 static bool lensmaker_row_solve(const struct lensmaker_input *input, struct lensmaker *lens,
@@ -226,7 +226,7 @@ static const struct example examples[] = {
 const struct command command_lensmaker = {
     .name = "lensmaker",
     COMMAND_OF("one surface, one lens",
-               "one lens, thin or thick: focal length, or radii, index, thickness for it"),
+               "one lens, thin or thick: focal length, or the radii, index or thickness for one"),
     .run = lensmaker_run,
     COMMAND_MAKES(artifacts),
     .plot = "focal_mm,bfl_mm",

@@ -24,8 +24,8 @@ static const struct option options[] = {
     LENS_FNUMBER_OPTION(INPUT, question),
     {MEASURE(question.field, angle, "deg", "ANGLE"), REPEATED("field"), .lowest = -PI,
      .highest = PI, .flags = OPTION_FIELD | OPTION_ABOVE_LOWEST | OPTION_BELOW_HIGHEST,
-     .help = "field angle in object space, of 90 deg and more too, a list is swept; without it "
-             "those of the lens"},
+     .help = "field angle in object space, of 90 deg and more too, a list is swept; default those "
+             "of the lens"},
     LENS_FIELD_X_OPTION(INPUT, question.field_x),
     {MEASURE(height, length, "mm", "LENGTH"), REPEATED("height"), .lowest = -INFINITY,
      .highest = INFINITY, .flags = OPTION_NO_INFINITY,

@@ -37,7 +37,7 @@ static const struct option options[] = {
     {PLACE(radius), .name = "radius", .letter = 'R', .column = "radius", .flags = OPTION_SETTING,
      .help = "radius, + with the centre to the right; inf for a plane"},
     {PLACE(object), .name = "object", .letter = 'z', .column = "object", .flags = OPTION_SETTING,
-     .help = "object point on the axis from the vertex, + to the right: -200mm lies before it; "
+     .help = "object point on the axis from the vertex, + to the right: -200mm is in front of it; "
              "default inf"},
     {PLACE(image), .name = "image", .column = "image", .flags = OPTION_GOAL,
      .help = "wanted Gaussian image, + to the right: solves for what is not given"},
@@ -259,7 +259,7 @@ static const struct explanation explanations[] = {
 
 static const struct example examples[] = {
     {"refract --after 1.5168 -R 50mm -z -200mm", "the image of a point through one surface"},
-    {"refract --after 1.5168 -R 50mm -y 20mm", "a parallel ray, exactly beside paraxially"},
+    {"refract --after 1.5168 -R 50mm -y 20mm", "a parallel ray, exact and paraxial"},
     {"refract --after 1.5 -R 50 -y 1..40 --plot aberration.svg", "spherical aberration by height"},
     {"refract --before 1.5 --after 1 -R inf -z -30 -u 10deg", "out of a block of glass"},
     {"refract --after 1.336 -z inf --image 24mm", "the radius of an eye of one surface"},
@@ -270,7 +270,7 @@ static const struct example examples[] = {
 const struct command command_refract = {
     .name = "refract",
     COMMAND_OF("one surface, one lens",
-               "one surface or mirror: conjugate points, a ray exactly and paraxially"),
+               "one surface or mirror: conjugate points, a ray traced exactly and paraxially"),
     .run = refract_run,
     .plot = "crossing_mm,image_mm",
     .cell = "image_mm",

@@ -53,7 +53,7 @@ extern const struct word section_words[];
 #define LENS_WAVELENGTH_OPTION(S, member, without)                                                 \
     ENTRY(OPTION(S, member.wavelength), .name = "wavelength", .letter = 'w',                       \
           .column = "wavelength", .value = "WAVE", .dimension = &dimension_wavelength_um,          \
-          .unit = "nm", .help = "wavelength in nm, or a line: d F C e g; without it " without)
+          .unit = "nm", .help = "wavelength in nm, or a line: d F C e g; default " without)
 #define LENS_ALL_WAVELENGTHS    "all of the lens, the primary first"
 #define LENS_PRIMARY_WAVELENGTH "the primary one of the lens"
 
@@ -74,7 +74,8 @@ extern const struct word section_words[];
     ENTRY(OPTION(S, member.field), .name = "field", .column = "field",                             \
           .dimension = &dimension_angle, .unit = "deg", .lowest = -1.5706217938696971,             \
           .highest = 1.5706217938696971, .flags = OPTION_FIELD, .value = "ANGLE",                  \
-          .help = "field angle in object space in place of the lens's largest; a list is swept"),  \
+          .help =                                                                                  \
+              "field angle in object space; default the largest of the lens; a list is swept"),    \
         LENS_FIELD_X_OPTION(S, member.field_x)
 
 /* Beside --field, which is then the angle in the y-z plane. */
@@ -84,8 +85,7 @@ extern const struct word section_words[];
           .dimension = &dimension_angle, .unit = "deg", .lowest = -PI, .highest = PI,              \
           .flags = OPTION_FIELD | OPTION_ABOVE_LOWEST | OPTION_BELOW_HIGHEST, .value = "ANGLE",    \
           .wants = (use),                                                                          \
-          .help = "its angle in the x-z plane; the light goes along "                              \
-                  "(tan x, tan y, 1)")
+          .help = "field angle in the x-z plane; light travels along (tan x, tan y, 1)")
 
 /* Of a command that judges a lens by all fields at once. */
 #define LENS_FIELDS_OPTION(S, member)                                                              \
