@@ -200,7 +200,7 @@ static bool benchmark_wave(const struct benchmark_question *question, size_t fie
     *contrast = mtf.contrast[MTF_TANGENTIAL];
     *off = mtf.error;
     return isfinite(*contrast) ||
-           fail(error, ERROR_DOMAIN, "the contrast by waves cannot be found: see lenscalc mtf");
+           fail(error, ERROR_DOMAIN, "the diffraction MTF cannot be computed: see lenscalc mtf");
 }
 
 static bool benchmark_true_light(const struct benchmark_question *question, size_t field,

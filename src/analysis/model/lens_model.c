@@ -7,10 +7,10 @@
 const struct word lens_models[RAY_MODELS] = {
     [MODEL_EXACT] = {"exact", "all surfaces as they are"},
     [MODEL_PARAXIAL] = {"paraxial", "all surfaces as they are near the axis"},
-    [MODEL_FITTED] = {"fitted", "the thick lens that equals the exact rays best"},
+    [MODEL_FITTED] = {"fitted", "the thick lens that best matches the exact rays"},
     [MODEL_THICK] = {"thick", "focal length, principal planes and pupils"},
     [MODEL_THIN] = {"thin", "focal length, the stop in the lens"},
-    [MODEL_PINHOLE] = {"pinhole", "a hole that lets as much light through"},
+    [MODEL_PINHOLE] = {"pinhole", "a hole that passes as much light"},
     [LENS_MODELS] = {NULL, NULL},
     [MODEL_SEIDEL] = {"seidel", "the paraxial ray and its aberrations of the third order"},
     [MODEL_POLYNOMIAL] = {"polynomial", "sparse polynomials fitted to exact rays"},

@@ -11,8 +11,8 @@ const struct word analysis_aims[] = {
 };
 
 const struct word analysis_weights[] = {
-    [ANALYSIS_WEIGHT_PUPIL] = {"pupil", "the pupil that --aim says"},
-    [ANALYSIS_WEIGHT_BEAM] = {"beam", "the entering beam, as light has it"},
+    [ANALYSIS_WEIGHT_PUPIL] = {"pupil", "of the pupil that --aim names"},
+    [ANALYSIS_WEIGHT_BEAM] = {"beam", "of the entering beam, as light itself does"},
     {NULL, NULL},
 };
 

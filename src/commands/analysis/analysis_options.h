@@ -132,7 +132,7 @@ extern const struct word analysis_aims[], analysis_weights[];
     ANALYSIS_AIM_OPTION(NULL, "pupil that the ray points lie in"),                                 \
         ENTRY(OPTION(struct analysis_question, weight), .name = "weight",                          \
               .words = analysis_weights, .fallback = "pupil", .value = "WHAT",                     \
-              .help = "where equal weights mean equal areas"),                                     \
+              .help = "areas by which rays are weighted"),                                         \
         ENTRY(OPTION(struct analysis_question, pattern), .name = "pattern", .words = patterns,     \
               .fallback = "gauss", .value = "PATTERN", .help = "sampling pattern of the pupil"),   \
         ENTRY(OPTION(struct analysis_question, rays), .name = "rays", .column = "rays_wanted",     \

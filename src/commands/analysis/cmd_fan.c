@@ -18,7 +18,7 @@ static const struct analysis_policy policy = {.wavelengths = WAVELENGTHS_ALL, .f
 
 static const struct word shows[] = {
     [FAN_TRANSVERSE] = {"transverse", "where rays arrive, from the reference"},
-    [FAN_OPD] = {"opd", "optical path differences to the reference sphere"},
+    [FAN_OPD] = {"opd", "optical path differences from the reference sphere"},
     {NULL, NULL},
 };
 
@@ -432,7 +432,7 @@ static bool fan_figure(const struct artifact_job *job, struct output *sink, stru
 }
 
 static const struct artifact artifacts[] = {
-    {ARTIFACT_OPTION("plot", drawing_types, "draw the fans: two panels a field"),
+    {ARTIFACT_OPTION("plot", drawing_types, "draw the fans: two panels per field"),
      .scope = ARTIFACT_OF_SWEEP, .needs_no_rows = true, .make = fan_figure},
 };
 

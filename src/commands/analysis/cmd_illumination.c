@@ -487,9 +487,9 @@ static const struct explanation explanations[] = {
 static const struct example examples[] = {
     {"illumination double-gauss", "from the axis to the image of the largest field"},
     {"illumination cs348b-dgauss-50 --height 0,10,21.633 --stop-diameter 4.275",
-     "in the film, stopped down"},
+     "on the film, stopped down"},
     {"illumination double-gauss --no-clip --field 0,10,14deg --csv",
-     "where the stop alone limits, by field"},
+     "limited by the stop alone, by field"},
     {"illumination double-gauss --height 0..25#6 -N 2,4 --plot light.svg", "stopped down, drawn"},
     {NULL, NULL},
 };

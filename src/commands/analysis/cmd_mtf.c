@@ -5,8 +5,8 @@
 #include <string.h>
 
 static const struct word methods[] = {
-    [MTF_BY_WAVES] = {"diffraction", "by waves"},
-    [MTF_BY_RAYS] = {"geometric", "by rays, as if light had no wavelength"},
+    [MTF_BY_WAVES] = {"diffraction", "from the wave front, with diffraction"},
+    [MTF_BY_RAYS] = {"geometric", "from rays, without diffraction"},
     {NULL, NULL},
 };
 
@@ -23,12 +23,11 @@ static const struct option options[] = {
      .fallback = "diffraction", .value = "METHOD", .help = "diffraction or geometric MTF"},
     {OPTION(struct mtf_input, pitch), .name = "pitch", .dimension = &dimension_length, .unit = "um",
      .lowest = 0, .highest = 1, .flags = OPTION_ABOVE_LOWEST, .value = "LENGTH",
-     .help = "pitch of square pixels, whose own blur is included"},
+     .help = "pitch of square pixels, whose MTF is included"},
     ANALYSIS_AIM_OPTION(NULL, "pupil that limits the beam"),
     {OPTION(struct mtf_input, question.error), .name = "error", .column = "error_wanted",
      .dimension = &dimension_number, .lowest = 1e-8, .highest = 0.1, .fallback = "1e-4",
-     .value = "NUMBER",
-     .help = "sampling is refined until the error of the contrasts is below this"},
+     .value = "NUMBER", .help = "sampling is refined until the error of the MTF is below this"},
     ANALYSIS_CLIP_OPTIONS,
 };
 
@@ -161,8 +160,8 @@ static bool mtf_makes_many(const void *data)
 
 static const struct artifact artifacts[] = {
     {ARTIFACT_OPTION("plot", drawing_types,
-                     "draw contrast against frequency; against focus or field where these are "
-                     "lists and --frequency is given"),
+                     "draw the MTF against frequency; against focus or field where these are lists "
+                     "and --frequency is given"),
      .scope = ARTIFACT_OF_SWEEP, .needs_no_rows = true, .make = mtf_figure},
 };
 
@@ -178,7 +177,7 @@ static const struct explanation explanations[] = {
 };
 
 static const struct example examples[] = {
-    {"mtf double-gauss -N 5.6", "contrast of all fields, all wavelengths together"},
+    {"mtf double-gauss -N 5.6", "MTF of all fields, all wavelengths together"},
     {"mtf double-gauss -N 2.8,5.6,11 --field 0 --frequency 40", "stopped down"},
     {"mtf double-gauss -N 5.6 --field 0,14 --frequency 30 --defocus -0.2..0.2#21 --plot focus.svg",
      "through focus, drawn"},

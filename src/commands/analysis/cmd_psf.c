@@ -17,11 +17,11 @@ struct psf_input {
 static const struct analysis_policy policy = {.wavelengths = WAVELENGTHS_ALL, .fields = FIELDS_ALL};
 
 static const struct word methods[] = {
-    [PSF_AUTO] = {"auto", "plane, or rays where the phase turns too often for it"},
+    [PSF_AUTO] = {"auto", "plane, or rays where the phase varies too fast for it"},
     [PSF_PLANE] = {"plane", "plane waves, between the edges of the pupil"},
     [PSF_FFT] = {"fft", "the same on a grid, by a fast Fourier transform"},
     [PSF_HUYGENS] = {"huygens", "spherical wavelets from the reference sphere"},
-    [PSF_RAYS] = {"rays", "where rays meet the pixels, as if light had no wavelength"},
+    [PSF_RAYS] = {"rays", "geometric: where rays meet the pixels, without diffraction"},
     {NULL, NULL},
 };
 
@@ -42,7 +42,7 @@ static const struct option options[] = {
     {OPTION(struct psf_input, pitch_angle), .name = "pitch-angle", .quantity = "pitch",
      .dimension = &dimension_angle, .unit = "mrad", .lowest = 0, .highest = 1,
      .flags = OPTION_ABOVE_LOWEST, .value = "ANGLE", .excludes = "pitch",
-     .help = "the same of an image infinitely far away"},
+     .help = "pixel size of an image at infinity, as an angle"},
     {OPTION(struct psf_input, log), .name = "log", .wants = "plot|map",
      .help = "logarithmic colour scale over five decades"},
     ANALYSIS_AIM_OPTION(NULL, "pupil that limits the beam"),

@@ -23,7 +23,7 @@ static const struct option options[] = {
     {OPTION(struct report_input, question.position), .name = "position", .value = "NAME",
      .help = "a name or focal length (135mm), a list, or all; default up to three of them"},
     {OPTION(struct report_input, images), .name = "images",
-     .help = "images of points too (psf), which take longer than all the rest"},
+     .help = "add point spread functions (psf), which take longer than all the rest"},
     {OPTION(struct report_input, threads), .name = "threads", .lowest = 0, .highest = PARALLEL_MOST,
      .value = "N", .fallback = "0",
      .help = "threads that share the analyses and their fields; 0 = one per core"},

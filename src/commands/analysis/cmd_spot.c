@@ -20,8 +20,8 @@ struct spot_input {
 static const struct analysis_policy policy = {.wavelengths = WAVELENGTHS_ALL, .fields = FIELDS_ALL};
 
 static const struct word references[] = {
-    [SPOT_ABOUT_CENTROID] = {"centroid", "where their weighted mean is"},
-    [SPOT_ABOUT_CHIEF] = {"chief", "where the chief ray is"},
+    [SPOT_ABOUT_CENTROID] = {"centroid", "the weighted mean of the rays"},
+    [SPOT_ABOUT_CHIEF] = {"chief", "the chief ray"},
     {NULL, NULL},
 };
 
@@ -32,7 +32,7 @@ static const struct option options[] = {
     ANALYSIS_SPECTRUM_OPTION(struct spot_input, question),
     {OPTION(struct spot_input, reference), .name = "reference", .words = references,
      .fallback = "centroid", .value = "POINT",
-     .help = "centre of the largest radius and of the energy radius"},
+     .help = "centre from which the largest and the energy radius are measured"},
     {OPTION(struct spot_input, energy), .name = "energy", .column = "energy",
      .dimension = &dimension_ratio, .unit = "%", .lowest = 0, .highest = 1,
      .flags = OPTION_ABOVE_LOWEST | OPTION_BELOW_HIGHEST, .value = "SHARE",
@@ -101,7 +101,7 @@ static const struct column columns[] = {
     ANALYSIS_SPECTRUM_COLUMN,
     {COLUMN(struct spot_row, weight), .name = "weights", .flags = COLUMN_ASSUMED,
      .depends = "weight aim pattern clip no-clip", .label = "rays weighted by",
-     .help = "where equal weights mean equal areas"},
+     .help = "areas by which rays are weighted"},
     ANALYSIS_TAIL_COLUMNS,
 };
 
@@ -506,8 +506,8 @@ static const struct example examples[] = {
     {"spot double-gauss", "the spots of all fields, all wavelengths together"},
     {"spot double-gauss --field 14deg -w d --defocus -0.2..0.2#5", "one of them through focus"},
     {"spot double-gauss -w d --no-clip --pattern hexapolar --rays 127",
-     "as programs print it that do not integrate"},
-    {"spot double-gauss-50 --energy 50%,80%", "radii that hold so much of the light"},
+     "as programs print it that only average rays"},
+    {"spot double-gauss-50 --energy 50%,80%", "radii that enclose so much of the light"},
     {NULL, NULL},
 };
 

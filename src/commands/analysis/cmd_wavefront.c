@@ -21,7 +21,7 @@ static const struct word references[] = {
 
 enum { NO_ZERNIKE };
 static const struct word orders[] = {
-    [NO_ZERNIKE] = {"none", "figures of the whole"},
+    [NO_ZERNIKE] = {"none", "figures of the whole wave front"},
     [ZERNIKE_NOLL + 1] = {"noll", "from 1, orthonormal [Noll76]"},
     [ZERNIKE_FRINGE + 1] = {"fringe", "from 1, by n + |m|, the 37th n = 12, each 1 at the edge"},
     [ZERNIKE_ANSI + 1] = {"ansi", "from 0, orthonormal [ISO24157]"},
@@ -60,7 +60,7 @@ struct wavefront_row {
           .depends = "reference lens wavelength", .help = "centre of the reference sphere"),       \
         ENTRY(PLAIN(weight, COLUMN_ASSUMED), .name = "weights",                                    \
               .depends = "weight aim pattern clip no-clip", .label = "rays weighted by",           \
-              .help = "where equal weights mean equal areas"),                                     \
+              .help = "areas by which rays are weighted"),                                         \
         ANALYSIS_TAIL_COLUMNS
 
 static const struct column figure_columns[] = {
@@ -348,7 +348,7 @@ static const struct explanation explanations[] = {
 static const struct example examples[] = {
     {"wavefront double-gauss -N 5.6", "how good the images of all fields are"},
     {"wavefront double-gauss -N 5.6 --zernike fringe --terms 9 --field 14deg",
-     "what aberrations they are of"},
+     "which aberrations they consist of"},
     {"wavefront questar-35 --plot wavefronts.svg", "a telescope with its obstruction, drawn"},
     {"wavefront double-gauss --field 0deg --map wavefront.pfm --size 256",
      "the numbers for another program"},

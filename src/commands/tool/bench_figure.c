@@ -7,7 +7,7 @@ const struct word bench_quantities[] = {
     [BENCHMARK_RAY] = {"ray", "where rays meet the image plane"},
     [BENCHMARK_FOCUS] = {"focus", "where the spot of a field is smallest"},
     [BENCHMARK_SPOT] = {"spot", "root mean square radius of the spot"},
-    [BENCHMARK_MTF] = {"mtf", "contrast of lines across y, by waves"},
+    [BENCHMARK_MTF] = {"mtf", "diffraction MTF of lines across y"},
     [BENCHMARK_IRRADIANCE] = {"irradiance", "light of a uniform scene on the film"},
     [BENCHMARK_PHOTOGRAPH] = {"photograph", "a chart of squares, photographed"},
     {NULL, NULL},

@@ -10,7 +10,7 @@
 static const struct option options[] = {
     LENS_OPTION(INPUT, question),
     {ASKED(quantity), .name = "quantity", .words = bench_quantities, .fallback = "ray",
-     .value = "WHAT", .help = "what is computed, and held against its exact value"},
+     .value = "WHAT", .help = "what is computed, and compared with its exact value"},
     LENS_FIELDS_OPTION(INPUT, question),
     LENS_FNUMBER_OPTION(INPUT, question),
     LENS_WAVELENGTH_OPTION(INPUT, question, LENS_PRIMARY_WAVELENGTH),
@@ -65,7 +65,7 @@ static const struct column columns[] = {
     LENS_FNUMBER_COLUMN(ROW, fnumber),
     {PLAIN(model, COLUMN_BRIEF), .name = "model",
      .help = "pinhole, thin, thick, fitted, paraxial, seidel, polynomial, exact, exact-64, "
-             "exact-113: of a lens; wave: contrast by waves"},
+             "exact-113: of a lens; wave: diffraction MTF"},
     {PLAIN(variant, COLUMN_BRIEF), .name = "variant",
      .help = "of an exact ray the instructions, of a sum the pattern of its rays, of waves the "
              "error they were asked for"},
@@ -299,7 +299,7 @@ static const struct example examples[] = {
     {"bench double-gauss", "models and exact rays of a double Gauss, time against error"},
     {"bench double-gauss --quantity spot", "its spots: models, and quadratures by rays"},
     {"bench double-gauss -N 8 --field 0,5", "stopped down, near the axis"},
-    {"bench fisheye-16 --plot front.svg", "time against error as a drawing"},
+    {"bench fisheye-16 --plot front.svg", "time against error, drawn"},
     {"bench double-gauss --error 10um",
      "the cheapest model that keeps 10 um, and how far each does"},
     {NULL, NULL},
