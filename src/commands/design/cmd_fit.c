@@ -159,7 +159,7 @@ static bool fit_save_glass(const struct artifact_job *job, struct output *sink, 
 /* -------- the command -------- */
 
 static const struct word shows[] = {
-    [FIT_ANSWER] = {"answer", "what was found, one row a lens or glass"},
+    [FIT_ANSWER] = {"answer", "what was found, one row per lens or glass"},
     [FIT_PARAMETERS] = {"parameters", "each parameter with its standard error"},
     [FIT_CORRELATIONS] = {"correlations", "each pair of parameters"},
     [FIT_RESIDUALS] = {"residuals", "each ray or measured index: where the fit fails"},
@@ -170,7 +170,7 @@ static const struct word shows[] = {
 
 static const struct word matches[] = {
     [FIT_IMAGE] = {"image", "focus, then image height; the exit pupil settles the rest"},
-    [FIT_RAYS] = {"rays", "place and direction: distances in image and exit pupil alike"},
+    [FIT_RAYS] = {"rays", "position and direction: distances in image and exit pupil alike"},
     {NULL, NULL},
 };
 
@@ -212,8 +212,7 @@ static const struct option options[] = {
     {OPTION(struct fit_input, goals), .name = "prescription", .value = "GOALS",
      .excludes = "glass aperture object section " OF_RAYS,
      .help = "adjust the lens until it has the measured values: efl=50.2,bfl@F=38.1:0.02, ffl, "
-             "length, height@10deg=8.8; the standard deviation stands behind a colon, otherwise "
-             "0.01 mm"},
+             "length, height@10deg=8.8; the standard deviation follows a colon, otherwise 0.01 mm"},
     {OPTION(struct fit_input, vary), .name = "vary", .value = "PARTS", .wants = "prescription",
      .help = "variables: R1,t3[2,10],n2 (radius, gap, index, with bounds); otherwise the marks R~ "
              "and t~ in the lens"},
@@ -401,14 +400,14 @@ static const struct explanation explanations[] = {
 };
 
 static const struct example examples[] = {
-    {"fit double-gauss", "the thick lens that equals the double Gauss over its fields"},
+    {"fit double-gauss", "the thick lens that best matches the double Gauss over its fields"},
     {"fit double-gauss --show parameters", "with standard errors"},
     {"fit nikkor-z-14-24 --position all", "a zoom in each position"},
     {"fit double-gauss -N 2,4,8 --columns fnumber,efl_mm,rms_um", "how it changes stopped down"},
     {"fit double-gauss --prescription efl=101,bfl=72.5 --vary R1,R11",
      "radii that give the measured focal length and back focus"},
     {"fit double-gauss --distortion 0 -o equal.lens", "as a lens that every command takes"},
-    {"fit double-gauss --map map.svg", "where in field and pupil it fails"},
+    {"fit double-gauss --map map.svg", "where in field and pupil it deviates"},
     {NULL, NULL},
 };
 

@@ -16,9 +16,9 @@ static const struct option options[] = {
      .flags = OPTION_OPERAND | OPTION_TOGETHER | OPTION_FILE,
      .help = "all parts of a run, in any order"},
     {OPTION(struct merge_input, incomplete), .name = "incomplete",
-     .help = "make what there is of parts that are missing or incomplete"},
+     .help = "merge what there is, although parts are missing or incomplete"},
     {OPTION(struct merge_input, output), .name = "output", .letter = 'o', .value = "FILE",
-     .flags = OPTION_FILE, .help = "where the whole goes, as of the command that was divided"},
+     .flags = OPTION_FILE, .help = "file for the whole, as with the command that was divided"},
 };
 
 static bool again(const void *data, struct run *run, struct again *question, struct error *error)

@@ -13,12 +13,13 @@
 #include <string.h>
 
 static const struct word shows[] = {
-    [TOLERANCE_SUMMARY] = {"summary", "yield, mean, deviation and percentiles"},
+    [TOLERANCE_SUMMARY] = {"summary", "yield, mean, standard deviation and percentiles"},
     [TOLERANCE_TRIALS] = {"trials", "each lens that was made"},
-    [TOLERANCE_YIELD] = {"yield", "the limits that 2 to 98 percent of the lenses keep"},
-    [TOLERANCE_SENSITIVITY] = {"sensitivity", "what each error does alone, with both signs"},
-    [TOLERANCE_INVERSE] = {"inverse", "tolerances that cost the same each, and --drop together"},
-    [TOLERANCE_OFFENDERS] = {"offenders", "which errors make the figures spread, the worst first"},
+    [TOLERANCE_YIELD] = {"yield", "the limits that 2 to 98 percent of the lenses meet"},
+    [TOLERANCE_SENSITIVITY] = {"sensitivity", "the effect of each error alone, with both signs"},
+    [TOLERANCE_INVERSE] = {"inverse", "tolerances that each cost the same, and together --drop"},
+    [TOLERANCE_OFFENDERS] = {"offenders",
+                             "what each error contributes to the spread, the worst first"},
     {NULL, NULL},
 };
 
@@ -31,15 +32,15 @@ static const struct word methods[] = {
 
 static const struct word ofs[] = {
     [TOLERANCE_OF_WORST] = {"worst", "the worst of all fields and positions"},
-    [TOLERANCE_OF_MEAN] = {"mean", "their mean, by the weights of the fields"},
+    [TOLERANCE_OF_MEAN] = {"mean", "the mean of them, by the weights of the fields"},
     [TOLERANCE_OF_EACH] = {"each", "each by itself"},
     {NULL, NULL},
 };
 
 static const struct word refocuses[] = {
     [REFOCUS_NONE] = {"none", "the image plane stays where the nominal lens has it"},
-    [REFOCUS_PARAXIAL] = {"paraxial", "it goes to the paraxial image"},
-    [REFOCUS_BEST] = {"best", "to where spots or wave fronts of all fields are best"},
+    [REFOCUS_PARAXIAL] = {"paraxial", "refocused on the paraxial image"},
+    [REFOCUS_BEST] = {"best", "refocused where spots or wave fronts of all fields are best"},
     {NULL, NULL},
 };
 
@@ -55,25 +56,26 @@ static const struct word aims[] = {
 static const struct option options[] = {
     LENS_OPTION(struct tolerance_input, question),
     {OPTION(struct tolerance_input, grade), .name = "grade", .value = "NAME",
-     .help = "how well it is made: commercial, precision or high ('list tolerances'); without it "
-             "the marks of the lens, without any precision"},
+     .help = "grade of manufacture: commercial, precision or high ('list tolerances'); default the "
+             "tolerances in the lens, if it has none precision"},
     {OPTION(struct tolerance_input, tolerances), .name = "tolerances", .value = "FILE",
-     .flags = OPTION_FILE, .help = "lines like those with 'tolerance' in a lens, in its place"},
+     .flags = OPTION_FILE,
+     .help = "file with 'tolerance' lines as in a lens, used in place of the lens's own"},
     {OPTION(struct tolerance_input, criterion), .name = "criterion", .value = "WHAT",
      .fallback = "spot",
      .help = "spot, wavefront, mtf@40/mm, efl, bfl, distortion, boresight or color"},
     {OPTION(struct tolerance_input, of), .name = "of", .words = ofs, .fallback = "worst",
-     .value = "WHICH", .wants = "show!=sensitivity", .help = "of which fields and positions"},
+     .value = "WHICH", .wants = "show!=sensitivity", .help = "which fields and positions count"},
     {OPTION(struct tolerance_input, limit), .name = "limit", .value = "FIGURE",
-     .help = "what passes: up to so much, of mtf at least, of efl and bfl so far off; in the unit "
-             "of the criterion, or with one: 12um"},
+     .help = "limit to pass: a maximum, of mtf a minimum, of efl and bfl a deviation; in the unit "
+             "of the criterion, or with a unit: 12um"},
     {OPTION(struct tolerance_input, refocus), .name = "refocus", .words = refocuses,
      .fallback = "best", .value = "WHERE", .help = "the image plane of every lens"},
     {OPTION(struct tolerance_input, gap), .name = "gap", .value = "GAPS",
-     .help = "gaps that are adjusted in every lens, together: last, d5:-1, 'd5,10:-1 [-0.5,0.5]' "
-             "with how far they may go"},
+     .help = "compensator: gaps adjusted together in every lens: last, d5:-1, or with bounds "
+             "'d5,10:-1 [-0.5,0.5]'"},
     {OPTION(struct tolerance_input, adjust), .name = "adjust", .value = "PARTS",
-     .help = "what else is adjusted: ax9,dx4[-1,1],t5, each with bounds"},
+     .help = "further compensators: ax9,dx4[-1,1],t5, each with bounds"},
     {OPTION(struct tolerance_input, trials), .name = "trials", .lowest = 1, .highest = 1e9,
      .fallback = "1000", .value = "COUNT", .wants = FOR_TRIALS,
      .help = "Monte Carlo trials: number of lenses made"},
@@ -85,13 +87,13 @@ static const struct option options[] = {
     {OPTION(struct tolerance_input, method), .name = "method", .words = methods,
      .fallback = "exact", .value = "HOW", .help = "how the perturbed lenses are evaluated"},
     {OPTION(struct tolerance_input, drop), .name = "drop", .value = "FIGURE",
-     .help = "for --show inverse: how much worse than the nominal lens the others may be, in the "
-             "unit of the criterion, or with one"},
+     .help = "for --show inverse: allowed drop from the nominal lens, in the unit of the "
+             "criterion, or with a unit"},
     {OPTION(struct tolerance_input, save), .name = "save", .value = "WHICH",
      .help = "lenses for --output: worst:3, or trial:17"},
     {OPTION(struct tolerance_input, aim), .name = "aim", .words = aims, .fallback = "nominal",
      .value = "WHERE", .help = "pupil sampling of the evaluation"},
-    DESIGN_VIEW_OPTIONS(struct tolerance_input, "positions that are evaluated"),
+    DESIGN_VIEW_OPTIONS(struct tolerance_input, "positions to evaluate"),
     DESIGN_RAYS_OPTIONS(struct tolerance_input, .fallback = "21",
                         .help = "approximate number of rays per field and wavelength"),
     {OPTION(struct tolerance_input, clip), .name = "clip", .excludes = "no-clip",
@@ -366,8 +368,8 @@ static bool tolerance_view_draw(const struct artifact_job *job, struct output *s
 
 static const struct artifact artifacts[] = {
     {ARTIFACT_OPTION("plot", drawing_types,
-                     "draw a histogram, of yields their curve, of single errors who makes the "
-                     "figures spread"),
+                     "draw a histogram, of yields their curve, of single errors their "
+                     "contributions to the spread"),
      .scope = ARTIFACT_OF_ANSWER, .check = tolerance_view_check, .make = tolerance_view_draw},
     {.option = {.kind = &kind_text,
                 .name = "output",

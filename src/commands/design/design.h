@@ -9,10 +9,11 @@
 
 /* What is seen of a lens while it changes, and by which rays; `positions`: of --position. */
 #define DESIGN_VIEW_OPTIONS(S, positions)                                                          \
-    ENTRY(OPTION(S, waves), .name = "wavelength", .letter = 'w',                                   \
-          .dimension = &dimension_wavelength_um, .unit = "nm", .value = "WAVES",                   \
-          .help = "the wavelengths that count, each with a weight: d:1,F:0.5; otherwise those of " \
-                  "the lens"),                                                                     \
+    ENTRY(                                                                                         \
+        OPTION(S, waves), .name = "wavelength", .letter = 'w',                                     \
+        .dimension = &dimension_wavelength_um, .unit = "nm", .value = "WAVES",                     \
+        .help =                                                                                    \
+            "wavelengths to evaluate, each with a weight: d:1,F:0.5; default those of the lens"),  \
         LENS_FIELDS_OPTION(S, question),                                                           \
         ENTRY(OPTION(S, question.position), .name = "position", .value = "NAMES",                  \
               .help = positions "; default all"),                                                  \
