@@ -7,7 +7,7 @@
 const struct word air_models[] = {
     {"edlen", "Edlen 1966"},
     {"ciddor", "Ciddor 1996, by Edlen's factor of density"},
-    {"kohlrausch", "as programs with AGF catalogues have it"},
+    {"kohlrausch", "as in programs with AGF catalogues"},
     {NULL, NULL},
 };
 

@@ -9,7 +9,7 @@ static const double half_light = 0.70710678118654752;
 
 const struct word shutter_kinds[] = {
     [SHUTTER_GLOBAL] = {"global", "open to all rays at once"},
-    [SHUTTER_FOCAL] = {"focal", "a slit between two curtains before the film"},
+    [SHUTTER_FOCAL] = {"focal", "a slit between two curtains in front of the film"},
     [SHUTTER_LEAF] = {"leaf", "a hole in the stop that grows and shrinks"},
     [SHUTTER_ROLLING] = {"rolling", "read out line after line"},
     [SHUTTER_KINDS] = {NULL, NULL},

@@ -16,11 +16,13 @@ static const struct word responses[] = {
 };
 
 static const struct word operators[] = {
-    [ASKED_AUTO] = {"auto", "ward for .png, none for files of light"},
-    [ASKED_NONE] = {"none", "the light itself, cd/m2"},
-    [ASKED_FIRST + TONE_LINEAR] = {"linear", "in proportion, cut at white"},
-    [ASKED_FIRST + TONE_GAMMA] = {"gamma", "by a power: more of shadows and lights, less contrast"},
-    [ASKED_FIRST + TONE_FILMIC] = {"filmic", "as film, each colour by itself"},
+    [ASKED_AUTO] = {"auto", "ward for .png, none for HDR files"},
+    [ASKED_NONE] = {"none", "the luminance itself, cd/m2"},
+    [ASKED_FIRST + TONE_LINEAR] = {"linear", "in proportion, clipped at white"},
+    [ASKED_FIRST +
+        TONE_GAMMA] = {"gamma",
+                       "a power law: more detail in shadows and highlights, less contrast"},
+    [ASKED_FIRST + TONE_FILMIC] = {"filmic", "a film-like curve, channel by channel"},
     [ASKED_FIRST + TONE_WARD] = {"ward", "histogram adjustment"},
     {NULL, NULL},
 };
@@ -94,9 +96,8 @@ static const struct option options[] = {
     {ASKED(times), .name = "times", .value = "TIMES",
      .help = "exposure times of the frames, in their order: 1/60,1/15; default as the files say"},
     {ASKED(response), .name = "response", .words = responses, .fallback = "file", .value = "NAME",
-     .help = "what light the numbers of the files stand for"},
-    {ASKED(align), .name = "align",
-     .help = "shift the frames back that a moving camera has shifted"},
+     .help = "how the values of the files relate to light"},
+    {ASKED(align), .name = "align", .help = "align frames that camera movement has shifted"},
     {MEASURE(full_well, number, NULL, "NUMBER"), .name = "full-well", .lowest = 1, .highest = 1e12,
      .help = "electrons at white; default as the files say, or 20000"},
     {MEASURE(read_noise, number, NULL, "NUMBER"), .name = "read-noise", .lowest = 0, .highest = 1e6,
@@ -111,10 +112,10 @@ static const struct option options[] = {
     {ASKED(calibrate), .name = "calibrate", .dimension = &dimension_luminance, .lowest = 0,
      .highest = 1e12, .flags = OPTION_ABOVE_LOWEST, .unit = "cd_m2", .value = "LUMINANCE",
      .excludes = "aperture iso",
-     .help = "luminance of a value of 1, of a bracket in 1 s; default by f-number and ISO, or 1"},
+     .help = "luminance of the value 1, in a bracket at 1 s; default by f-number and ISO, or 1"},
     {MEASURE(view, angle, "deg", "ANGLE"), .name = "fov", .lowest = 0,
      .highest = 120 * RADIANS_PER_DEGREE, .flags = OPTION_ABOVE_LOWEST, .fallback = "45",
-     .help = "width of the view: what is one degree"},
+     .help = "angle of view across the width"},
     {ASKED(glare), .name = "glare", .help = "add the veiling glare of the eye"},
     {ASKED(color_loss), .name = "color-loss",
      .help = "fade the colours that the eye does not see in the dark"},
@@ -123,7 +124,7 @@ static const struct option options[] = {
     {ASKED(operation), .name = "operator", .words = operators, .fallback = "auto", .value = "NAME",
      .help = "tone mapping operator"},
     {ASKED(ceiling), .name = "ceiling", .words = ceilings, .fallback = "linear", .value = "NAME",
-     .help = "contrast that ward does not exceed"},
+     .help = "limit of contrast for ward"},
     {ASKED(white), .name = "white", .dimension = &dimension_luminance, .lowest = 0, .highest = 1e12,
      .flags = OPTION_ABOVE_LOWEST, .unit = "cd_m2", .value = "LUMINANCE",
      .help = "luminance that becomes white; default from the log-average"},
@@ -136,7 +137,7 @@ static const struct option options[] = {
     {ASKED(scale), .name = "scale", .value = "MIN,MAX", .wants = "falsecolor",
      .help = "ends of that scale, cd/m2; default whole decades, six at most"},
     {ASKED(bits), .name = "bits", .lowest = 8, .highest = 32, .value = "8|16|32",
-     .help = "of a number: PNG 8 or 16 (8), OpenEXR 16 or 32 (32)"},
+     .help = "bits per value: PNG 8 or 16 (8), OpenEXR 16 or 32 (32)"},
 };
 
 static bool check_curves(const struct artifact_job *job, struct error *error)

@@ -32,7 +32,7 @@ struct check_files_row {
 
 static const struct option options[] = {
     {ASKED(check), .name = "check",
-     .help = "only report whether each file can be read, and with what losses; one row a file"},
+     .help = "only report whether each file can be read, and with what losses; one row per file"},
     {ASKED(files), .name = "files", .value = "FILE", .flags = OPTION_OPERAND | OPTION_TOGETHER,
      .help = "with --check: files, and folders with their contents"},
     {ASKED(threads), .name = "threads", .lowest = 0, .highest = PARALLEL_MOST, .value = "N",

@@ -27,7 +27,7 @@ struct convert_input {
 static const struct word *format_word_at(size_t i)
 {
     static const struct word automatic = {"auto",
-                                          "by the ending of the output file; .lens without one"};
+                                          "by the extension of the output file; .lens without one"};
     const struct file_type *type = i > 0 ? lens_types(i - 1) : NULL;
     if (i == 0) {
         return &automatic;
@@ -279,7 +279,7 @@ static const struct artifact artifacts[] = {
 
 static const struct example examples[] = {
     {"convert double-gauss --to zmx", "a lens for Zemax (to a file: -o FILE.zmx)"},
-    {"convert double-gauss --focal-length 50mm", "the same lens, half as long"},
+    {"convert double-gauss --focal-length 50mm", "the same lens, scaled to half the focal length"},
     {"convert double-gauss --scale 0.1 --unit cm", "scaled exactly, written in centimetres"},
     {"convert double-gauss --reverse", "turned around"},
     {"convert nikkor-z-14-24 --position tele", "one position of a zoom"},

@@ -10,7 +10,7 @@ static const struct word topic_words[] = {
                 "cameras of telescopes, image sensors"},
     {"films", "films, with the correction of long exposures"},
     {"scenes", "typical scenes and their light"},
-    {"filters", "filters and the light they take"},
+    {"filters", "filters and their light loss"},
     {"glasses", "optical glasses and plastics of all catalogues"},
     {"tolerances", "published tolerances by grade"},
     {"stops", "labels of f-numbers, times and ISO, with exact values"},

@@ -156,7 +156,7 @@ static const struct column filter_columns[] = {
      .help = "published stops to open up"},
     {SHOWN(mired), .name = "mired", BRIEF | COLUMN_SPARSE | COLUMN_ECHO, .label = "mired shift",
      .help = "of the colour temperature: + amber, - blue; absent for other colours"},
-    {STOPS(used), .name = "loss", BRIEF, .label = "loss of light",
+    {STOPS(used), .name = "loss", BRIEF, .label = "light loss",
      .help = "what --filter takes: log2 of the factor where there is one"},
     ORIGIN,
 };
