@@ -91,8 +91,8 @@ const struct option common_options[] = {
              "differ"},
     {COMMON(stop_size), .name = "stop-size", .value = "RAY", .words = stop_size_words,
      .fallback = "lens",
-     .help = "the marginal ray of the aperture (f-number, pupil, numerical aperture) that gives "
-             "the stop its size"},
+     .help = "marginal ray by which the aperture (f-number, pupil, numerical aperture) determines "
+             "the size of the stop"},
     {COMMON(kit), .name = "kit", .letter = 'K', .value = "NAME", .flags = OPTION_SEVERAL,
      .excludes = "no-config",
      .help = "options of a section [kit NAME] of the configuration; several with commas, or "

@@ -385,7 +385,7 @@ static const struct example examples[] = {
     {"diffraction -N 8 --frequency 10..100:10 --pitch 4um", "a table of the MTF"},
     {"diffraction -N 16 -m 1:1", "life size: f/16 works as f/32"},
     {"diffraction --na 0.65 -m 40", "a microscope objective, on its camera"},
-    {"diffraction --lens cooke-triplet-50", "a real lens wide open, in its own light"},
+    {"diffraction --lens cooke-triplet-50", "a real lens wide open, at its own wavelength"},
     {"diffraction -f 150 --near 2m --far inf --sensor 4x5", "the best f-number for a landscape"},
     {NULL, NULL},
 };

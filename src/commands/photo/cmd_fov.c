@@ -79,7 +79,7 @@ static const struct option options[] = {
      .help = "speed of what passes the line: adds the line rate for square pixels"},
     {MEASURE(line_rate, rate, "Hz", "RATE"), .name = "line-rate", .quantity = "line rate",
      .column = "line_rate", ABOVE_0, .wants = "line-scan", .excludes = "speed",
-     .help = "of the camera: adds the speed at which pixels are square"},
+     .help = "line rate of the camera: adds the speed at which pixels are square"},
     {ASKED(telecentric), .name = "telecentric",
      .excludes = "focal-length lens distance from projection pupil horizontal vertical diagonal "
                  "altitude gsd subject subject-angle converter crop task dori",
