@@ -1,6 +1,7 @@
 # surveys from the air: ground sampling, overlaps, intervals, motion blur
-lenscalc survey --sensor 'Mavic 3' --altitude 100m --overlap 80% --sidelap 70% -v 10m/s --explain
-lenscalc survey --sensor 'Mavic 3' --gsd 2cm
+lenscalc survey Mavic 3 --altitude 100m --overlap 80% --sidelap 70% -v 10m/s --explain
+lenscalc survey mini 3 pro --gsd 2cm
+lenscalc survey mavic3,mini2 --altitude 400ft --columns gsd
 lenscalc survey --sensor 'Mavic 3' --altitude 60m,120m --overlap 80% --interval 2s --csv --digits 6
 lenscalc survey --sensor 'Mavic 3' --altitude 100m --overlap 0.8 --along width -v 36km/h --json --digits 6
 lenscalc survey -f 35 --sensor 35mm --pixels 8192x5460 --altitude 100m -v 15m/s -t 1/500,1/1000 --blur 1px

@@ -58,10 +58,11 @@ static const struct {
     {"shutter shutterspeed exposuretime speed tv", "time"},
     {"asa sensitivity filmspeed", "iso"},
     {"nd ndfilter density stops", "filter"},
-    {"focus subject subjectdistance focusdistance objectdistance", "distance"},
+    {"focus subject subjectdistance focusdistance objectdistance workingdistance wd throwdistance",
+     "distance"},
     {"subjectspeed velocity", "speed"},
     {"light lighting condition", "scene"},
-    {"camera body filmformat sensorsize", "sensor"},
+    {"camera body drone filmformat sensorsize", "sensor"},
     {"focal", "focal-length"},
     {"circleofconfusion", "coc"},
     {"extension extensiontube bellows", "tube"},
@@ -80,6 +81,14 @@ static const struct {
     {"groundsampledistance groundsample", "gsd"},
     {"memory storage cardsize", "card"},
     {"filesize", "frame-size"},
+    {"fieldofview", "field"},
+    {"ppm ppf pixeldensity pixelspermeter pixelspermetre", "density"},
+    {"resolution megapixels", "pixels"},
+    {"frontoverlap forwardoverlap frontlap", "overlap"},
+    {"sideoverlap", "sidelap"},
+    {"brightness nits footlamberts", "luminance"},
+    {"lux", "illuminance"},
+    {"screensize", "screen"},
 };
 
 /* The option of this command that such a word means, or whose column has this name; or null. */

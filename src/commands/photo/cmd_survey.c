@@ -31,7 +31,9 @@ static const struct word sides[] = {
 
 static const struct option options[] = {
     OPTION_FOCAL_LENGTH(focal, 0),
-    OPTION_SENSOR(sensor),
+    {ASKED(sensor), REPEATED("sensor"), .fallback = "35mm", .value = "NAME|WxH",
+     .flags = OPTION_OPERAND | OPTION_REST,
+     .help = "drone, camera or format by name, or a size: 13.2x8.8mm"},
     OPTION_PIXELS(pixels, "of --sensor, or with --pitch in its place: 5472x3648, 20Mpx"),
     OPTION_PITCH_ALONE(pitch, NULL, "pixel pitch (otherwise that of the camera)"),
     {MEASURE(altitude, length, "m", "LENGTH"), REPEATED("altitude"), ABOVE_0 | OPTION_SETTING,
@@ -179,11 +181,11 @@ static const struct explanation explanations[] = {
 };
 
 static const struct example examples[] = {
-    {"survey --sensor 'Mavic 3' --altitude 100m", "ground sampling distance and footprint"},
-    {"survey --sensor 'Mavic 3' --gsd 2cm", "the altitude for 2 cm"},
-    {"survey --sensor 'Mavic 3' --altitude 100m --overlap 80% --sidelap 70% -v 10m/s",
+    {"survey Mavic 3 --altitude 100m", "ground sampling distance and footprint"},
+    {"survey Mavic 3 --gsd 2cm", "the altitude for 2 cm"},
+    {"survey Mavic 3 --altitude 100m --overlap 80% --sidelap 70% -v 10m/s",
      "a plan: intervals, lines, shutter"},
-    {"survey --sensor 'Mavic 3' --altitude 60m,120m --overlap 80% --interval 2s",
+    {"survey Mavic 3 --altitude 60m,120m --overlap 80% --interval 2s",
      "how fast to fly with two seconds a picture"},
     {"survey -f 35 --sensor 35mm --pixels 8192x5460 --altitude 100m -v 15m/s -t 1/1000",
      "another camera, and how far the ground moves"},
