@@ -183,7 +183,7 @@ static void check_latex(void)
     }
     output_begin(&output, -1, &arena);
     grid_write_latex(&grid, &output, true);
-    grid_latex_close(NULL, &output);
+    grid_latex_close(NULL, 1, &output);
     grid_latex_paragraph(&arena, &output, "one\ntwo\n\nthree");
     CHECK_TEXT(arena_string(&arena, output.buffer, output.used),
                "% needs the package booktabs\n"
