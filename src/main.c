@@ -51,6 +51,19 @@ static const char *meant_with(const char *name)
     return help_topic_find(name) != NULL ? "help " : NULL;
 }
 
+/* The first command whose summary has the word in it, as "telescope" has; null: none. */
+static const struct command *command_about(const char *name)
+{
+    enum { SHORTEST = 4 };
+    const struct text word = text_of(name);
+    size_t i = 0;
+    while (commands[i] != NULL &&
+           (word.length < SHORTEST || !text_contains_name(text_of(commands[i]->summary), word))) {
+        i++;
+    }
+    return commands[i];
+}
+
 static int unknown_command(const char *name)
 {
     struct error error;
@@ -63,6 +76,9 @@ static int unknown_command(const char *name)
         error_hint(&error, "see 'lenscalc %s%s'", meant_with(name), name);
     } else if (nearest.best.start != NULL) {
         error_hint(&error, "did you mean '%.*s'?", (int)nearest.best.length, nearest.best.start);
+    } else if (command_about(name) != NULL) {
+        error_hint(&error, "see 'lenscalc %s': %s", command_about(name)->name,
+                   command_about(name)->summary);
     } else {
         error_hint(&error, "see 'lenscalc help'");
     }

@@ -13,7 +13,9 @@ lenscalc visual --diameter 203 --secondary 70mm --columns light_gain,limiting_ma
 lenscalc visual --telescope 1000 --diameter 100 --lens erfle-eyepiece
 lenscalc visual --telescope 1000 --diameter 100 --lens erfle-eyepiece --barlow 2 --columns power,eye_relief
 lenscalc visual --diameter 150 --back-focus 55mm --filter-thickness 2mm,3mm --columns filter_thickness,back_focus_filtered
-for wrong in "" "10" "10x42 6.5kg" "8x42 330ft" "8x42 330ft/3s" "8x42 --field 330ft" \
+lenscalc visual -f 2032 --diameter 8in --eyepiece 25 --reducer 0.63x --columns power,true_field,combined_focal
+lenscalc telescope -f 1200
+for wrong in "" "10" "8in f/6" "10x42 --at 500m" "-f 1200 --aperture 200mm" "10x42 6.5kg" "8x42 330ft" "8x42 330ft/3s" "8x42 --field 330ft" \
     "--telescope 1200 --diameter 200 --eyepiece own.lens" "--telescope 1200 --diameter 200 -N 5" \
     "--telescope 1200 --diameter 200 --eyepiece 25 --power 20" "10x42 --telescope 900" \
     "7x50 --obstruction 80% --diameter 50" "--diameter 200 --obstruction 99% --power 10" \

@@ -153,7 +153,7 @@ VALUES = {
     "size": "48", "size/psf": "48", "rays": "30", "points": "5", "energy": "80%", "aim": "entrance",
     "pattern": "hexapolar", "scale/convert": "2", "pitch/psf": "1um", "pitch/render": "3um", "stop-diameter": "9mm",
     "pitch/stars": "5um", "binoculars": "8x30", "telescope": "900mm", "diameter": "150mm",
-    "eyepiece": "10mm", "eyepiece/microscope": "12x/18", "barlow": "2x", "power": "80x",
+    "eyepiece": "10mm", "eyepiece/microscope": "12x/18", "barlow": "2x", "reducer": "0.63x", "power": "80x",
     "exit-pupil": "3mm", "field-stop": "20mm", "apparent-field": "60deg", "field/visual": "1deg",
     "field-width/visual": "90m", "at": "500m", "obstruction": "30%", "secondary": "50mm",
     "eye-pupil": "5mm", "naked-eye": "5", "back-focus": "55mm", "filter-thickness": "3mm",

@@ -58,8 +58,12 @@ static bool read_marking(const struct reader *reader, const struct option *optio
         rest = text_trim(rest);
     }
     if (!has_power || (rest.length > 0 && isnan(marking.number))) {
-        return fail(error, ERROR_USAGE, "bad %s '%.*s': it is written as %s", TYPED(option, text),
-                    option->value);
+        fail(error, ERROR_USAGE, "bad %s '%.*s': it is written as %s", TYPED(option, text),
+             option->value);
+        if (option->no_number != NULL) {
+            error_hint(error, "%s", option->no_number);
+        }
+        return false;
     }
     marking.behind = arena_printf(reader->arena, "%.*s", (int)rest.length, rest.start);
     *(struct marking_value *)member = marking;

@@ -11,7 +11,7 @@ struct visual_input {
     struct marking_value binoculars;
     struct photo_lens_question eyepiece; /* a real one */
     struct visual_setting setting;
-    double barlow; /* NaN = none */
+    double barlow, reducer; /* NaN = none */
     double field_stop, apparent_field, field, field_width, at;
     double obstruction, secondary; /* of the diameter; mm */
     double eye_pupil, naked_eye, wavelength;
@@ -26,14 +26,17 @@ struct visual_input {
 static const struct option options[] = {
     {ASKED(binoculars), .name = "binoculars", .column = "binoculars", .value = "POWERxDIAMETER",
      .flags = OPTION_OPERAND | OPTION_REST,
-     .excludes = "telescope diameter aperture eyepiece lens barlow power",
+     .excludes = "telescope diameter aperture eyepiece lens barlow reducer power",
+     .no_number = "of a telescope: --telescope 1200mm --diameter 200mm --eyepiece 25mm",
      .help = "binoculars or a spotting scope by what is marked on them: 10x42, 10x42 6.5deg, "
              "8x42 330ft/1000yd"},
-    {MEASURE(setting.focal, length, "mm", "LENGTH"), REPEATED("telescope"), ABOVE_0,
+    {MEASURE(setting.focal, length, "mm", "LENGTH"), REPEATED("telescope"), .letter = 'f', ABOVE_0,
      .help = "focal length of the telescope"},
     {MEASURE(setting.diameter, length, "mm", "LENGTH"), REPEATED("diameter"), ABOVE_0,
      .help = "diameter of its objective or mirror"},
-    OPTION_APERTURE(setting.fnumber, 0),
+    {MEASURE(setting.fnumber, fnumber, NULL, "NUMBER"), .name = "aperture", .letter = 'N',
+     .quantity = "f-number", .column = "fnumber", ABOVE_0,
+     .no_number = "the diameter is --diameter 200mm", .help = "f-number of the telescope: f/6"},
     {MEASURE(setting.eyepiece, length, "mm", "LENGTH"), REPEATED("eyepiece"), ABOVE_0,
      .no_number = "a real eyepiece is --lens: a name of 'list lenses', or a file",
      .help = "focal length of the eyepiece, or several: 25,10,5"},
@@ -42,7 +45,9 @@ static const struct option options[] = {
      .help = "a real eyepiece, from the eye to its field stop: a name (list lenses), a file, or -"},
     LENS_POSITION_OPTION(INPUT, eyepiece),
     {MEASURE(barlow, ratio, NULL, "FACTOR"), REPEATED("barlow"), ABOVE_0,
-     .wants = "telescope|aperture", .help = "Barlow lens, 2x, or reducer, 0.63x"},
+     .wants = "telescope|aperture", .help = "factor of a Barlow lens: 2x"},
+    {MEASURE(reducer, ratio, NULL, "FACTOR"), REPEATED("reducer"), ABOVE_0,
+     .wants = "telescope|aperture", .help = "factor of a focal reducer: 0.63x"},
     {MEASURE(setting.power, ratio, NULL, "FACTOR"), REPEATED("power"), ABOVE_0,
      .help = "wanted magnification: solves for the eyepiece"},
     {MEASURE(setting.exit_pupil, length, "mm", "LENGTH"), .name = "exit-pupil",
@@ -61,9 +66,8 @@ static const struct option options[] = {
     {MEASURE(field_width, length, "m", "LENGTH"), .name = "field-width", .column = "field_width",
      ABOVE_0, .excludes = "field-stop",
      .help = "the same as a width at --at: --field-width 330ft --at 1000yd"},
-    {MEASURE(at, length, "m", "LENGTH"), REPEATED("at"), ABOVE_0, .fallback = "1000",
-     .wants = "binoculars|field|field-width|field-stop|apparent-field|lens",
-     .help = "distance of the width of the field"},
+    {MEASURE(at, length, "m", "LENGTH"), REPEATED("at"), ABOVE_0,
+     .help = "distance of the width of the field; default 1000"},
     {MEASURE(obstruction, ratio, NULL, "RATIO"), REPEATED("obstruction"), .lowest = 0, .highest = 1,
      .flags = OPTION_BELOW_HIGHEST, .excludes = "secondary", .wants = "diameter|telescope|aperture",
      .help = "diameter of the secondary mirror over that of the telescope: 34%"},
@@ -90,7 +94,8 @@ static const struct option options[] = {
 struct visual_row {
     const char *binoculars;
     struct visual_setting setting;
-    double whole, whole_fnumber; /* with the Barlow lens */
+    double barlow, reducer;
+    double whole, whole_fnumber; /* with them */
     struct visual_field field;
     double width, at;
     struct visual_light light;
@@ -123,12 +128,15 @@ static const struct column columns[] = {
      .label = "f-number", .help = "of the telescope"},
     {LENGTH(setting.eyepiece, "mm"), .name = "eyepiece", KNOWN_BRIEF, .symbol = "fe",
      .repeats = "eyepiece", .help = "focal length of the eyepiece"},
-    {SHOWN(setting.barlow), .name = "barlow", ECHO_WITH("barlow"), .symbol = "B",
-     .label = "Barlow lens", .help = "factor of Barlow lens or reducer"},
-    {LENGTH(whole, "mm"), .name = "combined_focal", WITH("barlow"),
+    {SHOWN(setting.barlow), .name = "barlow_and_reducer", .flags = COLUMN_EXTRA, .symbol = "B",
+     .label = "factor of Barlow lens and reducer", .help = "their product, 1 without"},
+    {SHOWN(barlow), .name = "barlow", ECHO_WITH("barlow"), .label = "Barlow lens",
+     .help = "its factor"},
+    {SHOWN(reducer), .name = "reducer", ECHO_WITH("reducer"), .help = "its factor"},
+    {LENGTH(whole, "mm"), .name = "combined_focal", WITH("barlow reducer"),
      .label = "combined focal length", .help = "focal length of telescope and Barlow lens"},
-    {SHOWN(whole_fnumber), .name = "combined_fnumber", WITH("barlow"), .label = "combined f-number",
-     .help = "f-number of telescope and Barlow lens"},
+    {SHOWN(whole_fnumber), .name = "combined_fnumber", WITH("barlow reducer"),
+     .label = "combined f-number", .help = "f-number of telescope and Barlow lens"},
     {SHOWN(setting.power), .name = "power", KNOWN_BRIEF, .symbol = "M", .repeats = "power",
      .label = "magnification", .help = "angular magnification"},
     {LENGTH(setting.exit_pupil, "mm"), .name = "exit_pupil", KNOWN_BRIEF, .symbol = "ep",
@@ -249,7 +257,11 @@ static bool visual_fill_field(const struct visual_input *input, const struct pho
     row->field = (struct visual_field){
         .stop = input->field_stop, .apparent = input->apparent_field, .true_field = input->field};
     row->at = input->at;
+    const bool is_at = is_given(input->at);
     double marked;
+    if (!is_at) {
+        row->at = 1e6;
+    }
     if (!visual_read_field(&input->binoculars, &marked, error)) {
         return false;
     }
@@ -257,7 +269,7 @@ static bool visual_fill_field(const struct visual_input *input, const struct pho
         row->field.true_field = marked;
     }
     if (!isnan(input->field_width)) {
-        row->field.true_field = 2 * atan(input->field_width / (2 * input->at));
+        row->field.true_field = 2 * atan(input->field_width / (2 * row->at));
     }
     const struct lens *lens = eyepiece->lens;
     const bool is_own = lens != NULL && isnan(input->apparent_field) &&
@@ -272,8 +284,13 @@ static bool visual_fill_field(const struct visual_input *input, const struct pho
         row->field.apparent_from = "lens";
     }
     row->width = 2 * row->at * tan(row->field.true_field / 2);
-    row->at = is_given(row->width) ? row->at : (double)NAN;
-    return true;
+    if (is_given(row->width)) {
+        return true;
+    }
+    row->at = NAN;
+    return !is_at || fail(error, ERROR_USAGE,
+                          "{--at} needs a field: give {--field}, or an eyepiece "
+                          "and its {--apparent-field}");
 }
 
 static bool visual_fill_light(const struct visual_input *input, struct visual_row *row,
@@ -315,13 +332,17 @@ static bool visual_answer(const void *data, const struct photo_lens *eyepiece, s
         .binoculars = input->binoculars.name,
         .setting = input->setting,
         .eye_relief = NAN,
+        .barlow = input->barlow,
+        .reducer = input->reducer,
         .back_focus = input->back_focus,
         .filter = input->filter,
         .filter_index = input->filter_index,
         .real = *eyepiece->real,
     };
     struct visual_setting *setting = &row.setting;
-    setting->barlow = is_given(input->barlow) ? input->barlow : 1;
+    setting->barlow = (is_given(input->barlow) ? input->barlow : 1) *
+                      (is_given(input->reducer) ? input->reducer : 1);
+    const bool is_changed = is_given(input->barlow) || is_given(input->reducer);
     if (row.binoculars != NULL) {
         setting->power = input->binoculars.power;
         setting->diameter = input->binoculars.number;
@@ -334,7 +355,7 @@ static bool visual_answer(const void *data, const struct photo_lens *eyepiece, s
     }
     row.whole = setting->focal * setting->barlow;
     row.whole_fnumber = setting->fnumber * setting->barlow;
-    if (eyepiece->lens != NULL && !is_given(input->barlow)) {
+    if (eyepiece->lens != NULL && !is_changed) {
         row.eye_relief = visual_eye_relief(setting->focal, eyepiece->f, -eyepiece->first->ffl);
     }
     row.spacing = input->back_focus + visual_filter_shift(input->filter, input->filter_index);
@@ -342,9 +363,9 @@ static bool visual_answer(const void *data, const struct photo_lens *eyepiece, s
         !visual_fill_light(input, &row, run, error)) {
         return false;
     }
-    if (eyepiece->lens != NULL && is_given(input->barlow)) {
-        warnings_add(run->doubts, "a Barlow lens moves the exit pupil by as much as its own focal "
-                                  "length says: no eye relief");
+    if (eyepiece->lens != NULL && is_changed) {
+        warnings_add(run->doubts, "a Barlow lens or reducer moves the exit pupil by as much as its "
+                                  "own focal length says: no eye relief");
     }
     run_emit(run, &row);
     return true;
@@ -363,9 +384,9 @@ static bool visual_run(const void *data, struct run *run, struct error *error)
 }
 
 static const struct explanation explanations[] = {
-    {"power eyepiece", "M = {f} B/{fe}", "[Smith08]; B of the Barlow lens, 1 without", NULL},
+    {"power eyepiece", "M = {f} {B}/{fe}", "[Smith08]", NULL},
     {"exit_pupil", "ep = {D}/{M}", "[Smith08]", NULL},
-    {"true_field true_field_from=field-stop", "tf = 2 atan({s}/(2 {f} B))",
+    {"true_field true_field_from=field-stop", "tf = 2 atan({s}/(2 {f} {B}))",
      "geometry; makers write s/f x 57.3 deg", "an image without distortion"},
     {"true_field_ratio", "tfr = {af}/{M}", "rule of the makers of eyepieces",
      "to some 10 %: eyepieces distort"},
