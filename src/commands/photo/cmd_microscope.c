@@ -169,10 +169,7 @@ static bool microscope_find_medium(const struct microscope_input *input, struct 
     if (marked[0] != '\0' && medium == MEDIUM_AUTO) {
         fail(error, ERROR_USAGE, "{objective} '%s': '%s' is none of air, water, glycerol and oil",
              input->objective.name, marked);
-        if (char_is_digit(marked[0])) {
-            error_hint(error, "an eyepiece is {--eyepiece} 10x/22");
-        }
-        return false;
+        return error_hint(error, "an eyepiece is {--eyepiece} 10x/22, power and field number");
     }
     const bool is_assumed = medium == MEDIUM_AUTO;
     if (is_assumed) {

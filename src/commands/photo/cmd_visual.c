@@ -324,6 +324,32 @@ static bool visual_fill_light(const struct visual_input *input, struct visual_ro
     return true;
 }
 
+/* The exit pupil behind the eyepiece's glass, whose file begins at the eye with its stop. */
+static void visual_fill_relief(const struct photo_lens *eyepiece, bool is_changed,
+                               struct visual_row *row, struct run *run)
+{
+    const struct lens *lens = lens_at_position(eyepiece->lens, eyepiece->position, run->arena);
+    double before = 0; /* from the first vertex to the first of glass */
+    size_t first = 0;
+    while (first < lens->surface_count && lens->surfaces[first].kind == SURFACE_STOP) {
+        before += pair_double(lens->surfaces[first].thickness.value);
+        first++;
+    }
+    if (lens->stop != LENS_NONE && lens->stop >= first) {
+        warnings_add(run->doubts,
+                     "the stop of %.60s, the pupil of the eye, is not before its glass: is it an "
+                     "eyepiece, from the eye on ('convert --reverse')?",
+                     eyepiece->real->title);
+    }
+    if (is_changed) {
+        warnings_add(run->doubts, "a Barlow lens or reducer moves the exit pupil by as much as its "
+                                  "own focal length says: no eye relief");
+    } else {
+        row->eye_relief =
+            visual_eye_relief(row->setting.focal, eyepiece->f, before - eyepiece->first->ffl);
+    }
+}
+
 static bool visual_answer(const void *data, const struct photo_lens *eyepiece, struct run *run,
                           struct error *error)
 {
@@ -355,17 +381,13 @@ static bool visual_answer(const void *data, const struct photo_lens *eyepiece, s
     }
     row.whole = setting->focal * setting->barlow;
     row.whole_fnumber = setting->fnumber * setting->barlow;
-    if (eyepiece->lens != NULL && !is_changed) {
-        row.eye_relief = visual_eye_relief(setting->focal, eyepiece->f, -eyepiece->first->ffl);
+    if (eyepiece->lens != NULL) {
+        visual_fill_relief(eyepiece, is_changed, &row, run);
     }
     row.spacing = input->back_focus + visual_filter_shift(input->filter, input->filter_index);
     if (!visual_fill_field(input, eyepiece, &row, error) ||
         !visual_fill_light(input, &row, run, error)) {
         return false;
-    }
-    if (eyepiece->lens != NULL && is_changed) {
-        warnings_add(run->doubts, "a Barlow lens or reducer moves the exit pupil by as much as its "
-                                  "own focal length says: no eye relief");
     }
     run_emit(run, &row);
     return true;
