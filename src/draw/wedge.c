@@ -66,7 +66,7 @@ static void view_line(const struct view *view, struct svg *svg, double u1, doubl
     svg_line(svg, view_x(view, u1), view_y(view, y1), view_x(view, u2), view_y(view, y2));
 }
 
-/* Where a plane A u - B y = f is met straight ahead, mm; inf if it is not, before the lens. */
+/* Where a plane A u - B y = f is met straight ahead, mm; inf if it is not, in front of the lens. */
 static double wedge_ahead(const struct wedge *wedge, double A)
 {
     return A > 0 ? wedge->f / A : (double)INFINITY;
@@ -133,7 +133,7 @@ static struct area area_cut(const struct area *area, double a, double b, double 
     return kept;
 }
 
-/* The view before the lens. */
+/* The view in front of the lens. */
 static struct area scene(const struct view *view)
 {
     double right = (view->right - view->x0) / view->scale;
@@ -142,7 +142,7 @@ static struct area scene(const struct view *view)
     return (struct area){{0, right, right, 0}, {low, low, high, high}, 4};
 }
 
-/* What is sharp: the view before the lens, behind the near limit and before the far limit. */
+/* What is sharp: the view in front of the lens, behind the near limit and before the far limit. */
 static struct area view_sharp(const struct view *view, const struct wedge *wedge)
 {
     struct area area = scene(view);
@@ -163,7 +163,7 @@ static void stretch_narrow(double start, double step, double low, double high, d
     }
 }
 
-/* The part of the plane A u - B y = f that is in the view, before the lens. */
+/* The part of the plane A u - B y = f that is in the view, in front of the lens. */
 static struct stretch view_plane(const struct view *view, const struct wedge *wedge, double A)
 {
     struct area all = scene(view);

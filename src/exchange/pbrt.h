@@ -12,7 +12,7 @@
  *
  * Refused   reading: radius 0 between two media, a second stop, numbers that are not in fours, a
  *           diameter or index below 0.
- *           writing: mirrors, cylinders, a surface without diameter, a medium before the lens
+ *           writing: mirrors, cylinders, a surface without diameter, a medium in front of the lens
  * Lost      writing: what is not of those four numbers. Dispersion: the index at the primary
  *           wavelength is written. A plane that refracts becomes a radius of 100 m: pbrt's floats
  *           have no place for a longer one; of a stop that refracts the same before it

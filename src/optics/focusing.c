@@ -100,7 +100,7 @@ static bool limit_object(struct movement_terms *all, struct error *error)
     }
     if ((slope == 0 && room < 0) || all->low > all->high) {
         return fail(error, ERROR_DOMAIN,
-                    "an object %.10g mm from the image plane is not an object before the lens: it "
+                    "an object %.10g mm from the image plane is not in front of the lens, which "
                     "reaches %.10g mm from there",
                     question->distance, track.c[0].hi);
     }

@@ -6,7 +6,7 @@
 #include "base/error.h"
 
 /*
- * Conversions between the ways a loss of light is written.
+ * Conversions between the ways a light loss is written.
  *
  * Given     D optical density (ND 0.9), F filter factor (ND8), transmittance above 0 and up to 1
  * Result    stops of loss; 0 is no loss

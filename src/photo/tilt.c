@@ -68,7 +68,7 @@ static bool solve_ratio(const struct tilt_given *g, double tilt, double *ratio, 
     return true;
 }
 
-/* u where the line meets rise = y/u; inf where it doesn't, before the lens. */
+/* u where the line meets rise = y/u; inf where it doesn't, in front of the lens. */
 static double tilt_reach(double f, double denominator)
 {
     return denominator > 0 ? f / denominator : (double)INFINITY;
@@ -121,7 +121,7 @@ bool tilt_through(double f, const struct tilt_point *first, const struct tilt_po
     }
     if (!(first->distance > 0 && second->distance > 0)) {
         return fail(error, ERROR_DOMAIN,
-                    "points at %g mm and %g mm: one does not lie before the lens (above 0 mm)",
+                    "points at %g mm and %g mm: one is not in front of the lens (above 0 mm)",
                     first->distance, second->distance);
     }
     if (!(isfinite(first->rise) && isfinite(second->rise) &&

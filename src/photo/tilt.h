@@ -9,7 +9,7 @@
 
 /*
  * Side view, the plane of the tilt. The lens centre is the origin; the sensor is upright at
- * distance v' behind it. u = distance before the lens along the sensor normal, y = upward. A
+ * distance v' behind it. u = distance in front of the lens along the sensor normal, y = upward. A
  * positive tilt turns the top of the lens towards the subject and the plane of sharp focus under
  * the lens. A swing is the same seen from above. Every plane of sharpness here is a line A u - B y
  * = f with B = sin(tilt) and A = cos(tilt) - f/v'.
@@ -51,7 +51,7 @@ struct tilt_point {
 
 /* Sharpness along one line of sight; distances u along the sensor normal, mm. */
 struct tilt_reach {
-    double sharp, near, far; /* inf: the ray meets that plane nowhere before the lens */
+    double sharp, near, far; /* inf: the ray meets that plane nowhere in front of the lens */
     double front, behind;    /* sharp - near, far - sharp, without that subtraction */
 };
 
@@ -115,7 +115,7 @@ struct tilt_frame {
  * Given     camera  solved
  * Formula   corner (x, y) on the sensor: tan(angle) = sqrt(x^2 + (y cos a - v' sin a)^2)/
  *           (v' cos a + y sin a), the greatest of the four; circle = 2 f tan(angle)
- * Errors    a corner lies beside or before the lens: no circle is large enough
+ * Errors    a corner lies beside or in front of the lens: no circle is large enough
  * Limits    compare with the circle the maker states for infinity (and the f-number in use)
  */
 bool tilt_coverage(const struct tilt *camera, const struct tilt_frame *frame,

@@ -110,7 +110,7 @@ static void write_members(struct report *report, const void *row, const struct s
     }
 }
 
-/* What is handed through of the first keys, then the columns of the row and why it failed. */
+/* What is passed through of the first keys, then the columns of the row and why it failed. */
 static void write_object(struct report *report, const void *row, const struct passed_cell *passed,
                          size_t passed_count, const struct error *failure)
 {

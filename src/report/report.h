@@ -18,7 +18,7 @@ struct report;
 struct selection;
 struct grid;
 
-/* A cell of a batch that is handed through. */
+/* A cell of a batch that is passed through. */
 struct passed_cell {
     struct text text; /* start is null where only other rows have it, of formats that are keyed */
     bool is_bare;     /* JSON without quotes: a number, true, false; null where the text is empty */
@@ -62,7 +62,7 @@ struct report {
     size_t shown_count;
     struct shown *assumed; /* columns of the assumptions, the same in every row */
     size_t assumed_count;
-    const struct text *passed_names; /* columns of a batch that are handed through */
+    const struct text *passed_names; /* columns of a batch that are passed through */
     size_t passed_count;
     bool has_error_column;
     bool is_headless;                  /* no line of names above the rows of csv and tsv */

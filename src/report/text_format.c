@@ -354,7 +354,7 @@ static void write_table(struct report *report)
         /*
          * What stays of a table that is wider than the terminal: its first column, what was asked
          * for by name, and why rows failed; then what stands further left. Columns that are only
-         * handed through go first.
+         * passed through go first.
          */
         size_t *least = ARENA_ARRAY(report->arena, grid.columns, size_t);
         size_t *rank = ARENA_ARRAY(report->arena, grid.columns, size_t);

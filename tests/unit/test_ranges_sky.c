@@ -349,9 +349,9 @@ static void test_tilt_points(void)
     OUTSIDE(tilt_through(0, &near, &far, &tilt, &image, &error),
             "focal length 0 mm must be above 0 and finite");
     OUTSIDE(tilt_through(1, &at, &far, &tilt, &image, &error),
-            "points at 0 mm and 2 mm: one does not lie before the lens (above 0 mm)");
+            "points at 0 mm and 2 mm: one is not in front of the lens (above 0 mm)");
     OUTSIDE(tilt_through(1, &near, &at, &tilt, &image, &error),
-            "points at 1 mm and 0 mm: one does not lie before the lens (above 0 mm)");
+            "points at 1 mm and 0 mm: one is not in front of the lens (above 0 mm)");
     OUTSIDE(
         tilt_through(1, &near, &(struct tilt_point){2, 0}, &tilt, &image, &error),
         "both points lie in the same direction (slope 0): any tilt serves only one of them (two "

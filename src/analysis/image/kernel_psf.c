@@ -1,4 +1,4 @@
-/* analysis/image/kernel_psf.c - the inner loops of images of points. */
+/* analysis/image/kernel_psf.c - the inner loops of point spread functions. */
 /* SPDX-License-Identifier: MIT */
 #include "analysis/image/psf_light.h"
 #include "base/turns.h"

@@ -1,4 +1,4 @@
-/* analysis/image/mtf.c - contrast of the image of a field, by waves or by rays. */
+/* analysis/image/mtf.c - modulation transfer function of a field, diffraction or geometric. */
 /* SPDX-License-Identifier: MIT */
 #include "analysis/image/mtf.h"
 
@@ -107,7 +107,7 @@ static bool mtf_rays_find(const struct mtf_source *source, double frequency, str
     return true;
 }
 
-/* -------- by waves -------- */
+/* -------- diffraction MTF -------- */
 
 static void find_fronts(struct mtf_source *source, struct arena *arena)
 {
@@ -174,7 +174,7 @@ bool mtf_open(const struct mtf_question *question, struct arena *arena, struct m
     return true;
 }
 
-/* One wavelength by waves. */
+/* The diffraction MTF at one wavelength. */
 static void mtf_add_waves(const struct mtf_source *source, size_t g, double frequency,
                           struct mtf_sums *sums, struct mtf *mtf)
 {

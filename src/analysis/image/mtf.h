@@ -1,4 +1,4 @@
-/* analysis/image/mtf.h - contrast of the image of a field, by waves or by rays. */
+/* analysis/image/mtf.h - modulation transfer function of a field, diffraction or geometric. */
 /* SPDX-License-Identifier: MIT */
 #ifndef LENSCALC_ANALYSIS_IMAGE_MTF_H
 #define LENSCALC_ANALYSIS_IMAGE_MTF_H

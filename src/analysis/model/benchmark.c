@@ -295,7 +295,7 @@ static void benchmark_list_models(const struct benchmark_question *question,
     }
 }
 
-/* Sums from the lens alone, and contrast by waves. */
+/* Sums from the lens alone, and the diffraction MTF. */
 static void benchmark_list_sums(const struct benchmark_question *question,
                                 struct benchmark *benchmark)
 {

@@ -37,10 +37,10 @@ struct benchmark_way {
     int degree;               /* of a polynomial; 0 */
     size_t terms;             /* of the place that it has */
     bool is_quadrature;       /* exact rays, aimed at the stop, by `pattern` */
-    bool is_wave;             /* contrast by waves */
+    bool is_wave;             /* diffraction MTF */
     enum pattern pattern;
     size_t rays;         /* of a field; 0: none are counted */
-    double asked;        /* the error that contrast by waves was asked for */
+    double asked;        /* the error that the diffraction MTF was asked for */
     const char *why;     /* why there is no answer; null: there is one */
     double error;        /* in the unit of the quantity, of irradiance relative: see below */
     double error_fitted; /* of a polynomial, over the rays that were fitted; NaN */

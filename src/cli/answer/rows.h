@@ -40,7 +40,7 @@ struct driver {
     struct echo echo;                 /* what rows repeat beside the command's own columns */
     size_t known_columns;             /* of the batch; objects of JSON may bring more */
     const void *answered;             /* the input whose rows come */
-    const struct passed_cell *passed; /* columns handed through, of the row being printed */
+    const struct passed_cell *passed; /* columns passed through, of the row being printed */
     void *input;
     void *constants; /* of a batch: the input as options set it */
     const char *database;

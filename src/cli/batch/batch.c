@@ -102,7 +102,7 @@ static bool set_cell(struct batch *batch, struct batch_column *column, struct te
 
 /*
  * Any row: quotes, blanks, units, names. After a bad cell the others are still looked at: what is
- * handed through belongs to its row even if that fails.
+ * passed through belongs to its row even if that fails.
  */
 static bool batch_read_row(struct batch *batch, struct text line, void *input, struct error *error)
 {

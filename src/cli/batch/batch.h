@@ -19,14 +19,14 @@ struct batch_plain {
 
 /* What to do with a column of the file. */
 struct batch_column {
-    const struct option *option;   /* null: handed through, or passed over */
+    const struct option *option;   /* null: passed through, or passed over */
     const struct option *doubtful; /* the option it would be if its end were a unit; or null */
     struct text typed_unit;        /* that end */
     size_t place;                  /* in the header line, 1-based */
     struct option as_read;         /* the option with the unit of the header */
     struct batch_plain plain;      /* but for what prepare_plain finds */
     bool is_plain;                 /* a number that needs no lensdb, no prefix */
-    bool is_ignored;               /* neither input nor handed through */
+    bool is_ignored;               /* neither input nor passed through */
     bool is_padding;               /* one more without a name, as spreadsheets add: all empty */
     bool is_infinite;              /* a JSON companion: true makes the option infinite */
     bool is_late;                  /* in JSON: the first object does not have it */
@@ -39,7 +39,7 @@ struct batch_column {
     struct text cell;     /* of a column that is shared: as it stood in row `filled` */
     long filled;          /* the row in which it had a value last; 0 = none */
     long row;             /* in JSON: the object in which it was seen last */
-    size_t passed;        /* index among the columns handed through */
+    size_t passed;        /* index among the columns passed through */
 };
 
 /* How fractions are written in a file whose cells are separated by ';'. */
@@ -64,10 +64,10 @@ struct batch {
     struct batch_column *columns;
     size_t column_count, column_room;
     struct batch_plain *plain; /* one a column, if rows of bare numbers can do; else null */
-    struct text *passed_names; /* columns handed through */
+    struct text *passed_names; /* columns passed through */
     struct passed_cell *passed;
     size_t passed_count, passed_room;
-    bool hands_late; /* in JSON: keys that the first object does not have are handed through too */
+    bool hands_late; /* in JSON: keys that the first object does not have are passed through too */
     char *buffer;
     size_t capacity;
     const char *at, *end; /* what is still to read */
@@ -119,24 +119,24 @@ bool batch_open(struct batch *batch, const char *path, enum batch_format format,
                 struct error *error);
 
 /*
- * Decide what is handed through. Results of an earlier run in the same file are computed anew, and
+ * Decide what is passed through. Results of an earlier run in the same file are computed anew, and
  * do not count as goals where the row has all the settings.
  *
  * Given     sheet       of the rows, as options and columns choose it
- *           hands_late  keys that only later objects of JSON have are handed through too
+ *           hands_late  keys that only later objects of JSON have are passed through too
  * Errors    ERROR_USAGE: a column that is also given as an option; ERROR_DATA: a wrong unit
  */
 bool batch_settle(struct batch *batch, const struct sheet *sheet, bool hands_late,
                   struct error *error);
 
-/* Of columns that the rows have themselves nothing is handed through: they are computed anew. */
+/* Of columns that the rows have themselves nothing is passed through: they are computed anew. */
 void batch_ignore(struct batch *batch, const struct shown *shown, size_t count);
 
 /*
  * Read the next row into the input.
  *
  * Result    BATCH_BAD_ROW: this row cannot be read, the next may; `error` says line and column.
- *           In JSON there may be more columns than before, handed through or not
+ *           In JSON there may be more columns than before, passed through or not
  */
 enum batch_result batch_next(struct batch *batch, void *input, struct error *error);
 

@@ -274,7 +274,7 @@ static bool settle_column(struct batch *batch, struct batch_column *column, bool
     } else if (column->option == NULL && column->is_late && !batch->hands_late) {
         column->is_ignored = true;
         warnings_add(batch->reader->doubts,
-                     "the first row has no key '%.*s': only json and jsonl hand it through",
+                     "the first row has no key '%.*s': only json and jsonl pass it through",
                      text_shown(column->name), column->name.start);
     } else if (column->option == NULL) {
         size_t room = batch->passed_room;

@@ -109,7 +109,7 @@ static bool take_pair(struct batch *batch, struct text key, size_t guess,
 }
 
 /*
- * After a bad value the others are still looked at: what is handed through belongs to its row even
+ * After a bad value the others are still looked at: what is passed through belongs to its row even
  * if that fails.
  */
 bool batch_json_row(struct batch *batch, struct text line, void *input, struct error *error)
@@ -121,7 +121,7 @@ bool batch_json_row(struct batch *batch, struct text line, void *input, struct e
     bool good = true;
     size_t pairs = 0;
     batch->objects++;
-    /* every member as it is without the row; of what is handed through, first keys are null */
+    /* every member as it is without the row; of what is passed through, first keys are null */
     for (size_t i = 0; i < batch->column_count; i++) {
         const struct batch_column *column = &batch->columns[i];
         const struct option *option = column->option;

@@ -239,7 +239,7 @@ struct things {
     double *low, *high;
 };
 
-/* With what shops promise at best, and what they need not be asked for. */
+/* The tightest and the loosest published tolerances. */
 static struct things things_of(const struct tolerance_job *job)
 {
     const double least = 1e-6, most = 1e6; /* of what no grade has */
@@ -311,13 +311,12 @@ bool tolerance_emit_inverse(struct tolerance_job *job, struct error *error)
     }
     if (isnan(together)) {
         return fail(error, ERROR_DOMAIN,
-                    "one of the tightest tolerances that shops promise leaves a lens without "
-                    "figures");
+                    "one of the tightest published tolerances leaves a lens without figures");
     }
     if (together > job->drop * (1 + 1e-6)) {
         warnings_add(job->run->doubts,
-                     "the tightest tolerances that shops promise cost %.4g %s together, more than "
-                     "the drop of %.4g %s",
+                     "the tightest published tolerances together cost %.4g %s, more than the drop "
+                     "of %.4g %s",
                      type->scale * together, type->unit, type->scale * job->drop, type->unit);
     }
     static const char *const limits[] = {

@@ -86,7 +86,7 @@ const struct topic_text help_topics[] = {
     {"batch", "rows in, rows out",
      "--batch FILE (- is standard input) reads csv, tsv or jsonl with a header. A column is named "
      "by an option's letter or name or by an output column, and may carry a unit: f_mm, s_m, "
-     "focal_length, coc_mm. Other columns are handed through. An option on the command line is "
+     "focal_length, coc_mm. Other columns are passed through. An option on the command line is "
      "what rows take that have no value of their own. A bad row is reported with its line, keeps "
      "its place and has an 'error'.",
      NULL},

@@ -60,7 +60,7 @@ struct thick_sums {
     struct thick_bundle *bundles; /* all wavelengths of the first field, of the next .. */
     size_t count;                 /* of rays */
     double weight;                /* their sum */
-    double steepest;              /* largest slope before the lens */
+    double steepest;              /* largest slope in front of the lens */
 };
 
 static inline size_t thick_sums_bundles(const struct thick_sums *sums)

@@ -161,7 +161,7 @@ bool merit_bundle_trace(struct merit_bundle *bundle, size_t block, bool derives,
 void merit_bundle_graze(struct merit_bundle *bundle, size_t block, double limit, bool derives,
                         struct grazing_penalty *grazing);
 
-/* Where a ray of a group crosses the plane z = 0 before the lens, mm: for tests. */
+/* Where a ray of a group crosses the plane z = 0 in front of the lens, mm: for tests. */
 void merit_bundle_start(const struct merit_bundle *bundle, size_t group, size_t point,
                         double place[2]);
 
