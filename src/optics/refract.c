@@ -12,6 +12,28 @@ double refract_power(const struct refract_surface *surface)
     return isinf(surface->R) ? 0 : (after - surface->n) / surface->R;
 }
 
+double refract_critical_angle(double n, double n_after)
+{
+    return n_after < n ? asin(n_after / n) : NAN;
+}
+
+double refract_brewster_angle(double n, double n_after)
+{
+    return atan(n_after / n);
+}
+
+bool refract_index_of(double n, double incidence, double refraction, double *n_after,
+                      struct error *error)
+{
+    if (!(fabs(incidence) < PI / 2 && fabs(refraction) < PI / 2 && incidence * refraction > 0)) {
+        return fail(error, ERROR_DOMAIN,
+                    "an index follows from {angle} and {refracted} on the same side of the "
+                    "normal, above 0 and below 90 deg");
+    }
+    *n_after = n * sin(incidence) / sin(refraction);
+    return true;
+}
+
 double refract_condition(const struct refract_surface *surface)
 {
     double V = isinf(surface->z) ? 0 : surface->n / surface->z;

@@ -38,6 +38,29 @@ double refract_power(const struct refract_surface *surface);
  */
 bool refract_solve(struct refract_surface *surface, struct error *error);
 
+/*
+ * Angles of a surface between two media, rad; NaN where there is none.
+ *
+ * Result    critical  from which on all light is reflected; only where n' < n
+ *           Brewster  at which reflected light is polarised wholly
+ * Formula   sin I = n'/n; tan I = n'/n
+ * Source    [OpenStax16] ch. 1.4, 1.7
+ */
+double refract_critical_angle(double n, double n_after);
+double refract_brewster_angle(double n, double n_after);
+
+/*
+ * The index behind a surface, from the angles at it.
+ *
+ * Given     n           index before, > 0
+ *           incidence   I, refraction  I': rad, both of one sign, not 0, below a right angle
+ * Formula   n' = n sin I/sin I'
+ * Source    Snell's law, [OpenStax16] ch. 1.3
+ * Errors    ERROR_DOMAIN: angles of different signs, 0, or a right angle and more
+ */
+bool refract_index_of(double n, double incidence, double refraction, double *n_after,
+                      struct error *error);
+
 /* How much z' moves, relatively, with n/z and P: (|n/z| + |P|)/|n/z + P|; 1 where it is sure. */
 double refract_condition(const struct refract_surface *surface);
 

@@ -31,3 +31,15 @@ lenscalc refract --after 1.5 -R 50 -u 5
 lenscalc refract --after 1.5 -R 50 -z inf -u 5
 lenscalc refract --after 1.5 -R 50 -z -100 -y 1 -u 5
 lenscalc refract --after 1 -z -100 --image 50
+# a plane, by an angle alone; what is not said
+lenscalc refract --angle 30 --after 1.5
+lenscalc refract --angle 0..60:30 --after 1.5
+lenscalc refract --angle 30 --refracted 22 --csv --columns index_after,deviation
+lenscalc refract --before 1.33 --after 1 -z -2m --explain
+lenscalc refract --before 1.5 --after 1 --json
+lenscalc refract --mirror --angle 30 --csv --columns incidence,refraction,deviation,brewster_angle
+for words in '--angle 30' '--angle 30 -R 5 --after 1.5' '--angle 30 --after water' '--angle 30 --refracted -22' \
+    '--angle 30 --refracted 22 --after 1.5' '--refracted 22 --after 1.5' '--angle 60 --before 1.5 --after 1'; do
+    lenscalc refract $words 2>&1
+    echo "status $?"
+done

@@ -148,7 +148,7 @@ VALUES = {
     "object/refract": "-150mm", "r1": "40mm", "r2": "-60mm", "index": "1.6", "thickness": "6mm",
     "shape": "0.5", "field": "10deg", "field-x": "3deg", "height-x": "2mm", "focus": "best",
     "object-medium": "1.33", "image-medium": "1.33", "steps": "3", "height": "6mm",
-    "height/motion": "0.5m", "power/conjugate": "5dpt", "then": "gap=20mm,f=50mm",
+    "height/motion": "0.5m", "power/conjugate": "5dpt", "then": "gap=20mm,f=50mm", "refracted": "20deg",
     "near-point": "200mm", "temperature": "30C", "pressure": "900hPa", "method": "geometric",
     "size": "48", "size/psf": "48", "rays": "30", "points": "5", "energy": "80%", "aim": "entrance",
     "pattern": "hexapolar", "scale/convert": "2", "pitch/psf": "1um", "pitch/render": "3um", "stop-diameter": "9mm",

@@ -293,8 +293,25 @@ static void test_refusals(void)
     CHECK(!refract_solve(&bad, &error) && strstr(error.message, "vertex") != NULL);
 }
 
+/* sin Ic = n'/n, tan IB = n'/n, n' = n sin I/sin I': asin(1/2), atan(1), sin 30/sin 45. */
+static void test_angles(void)
+{
+    double n = NAN;
+    CHECK_NEAR(refract_critical_angle(2, 1), 30 * DEGREE, 1e-15, "asin(1/2)");
+    CHECK(isnan(refract_critical_angle(1, 2)) && isnan(refract_critical_angle(1, 1)));
+    CHECK_NEAR(refract_brewster_angle(1.5, 1.5), 45 * DEGREE, 1e-15, "atan 1");
+    CHECK_NEAR(refract_brewster_angle(1, sqrt(3)), 60 * DEGREE, 1e-15, "atan sqrt 3");
+    CHECK(refract_index_of(1, 45 * DEGREE, 30 * DEGREE, &n, &error));
+    CHECK_RELATIVE(n, sqrt(2), 1e-15, "sin 45/sin 30");
+    CHECK(refract_index_of(1.5, -30 * DEGREE, -90 * DEGREE * (1 - 1e-9), &n, &error));
+    CHECK_RELATIVE(n, 0.75, 1e-15, "grazing");
+    CHECK(!refract_index_of(1, 30 * DEGREE, -20 * DEGREE, &n, &error));
+    CHECK(!refract_index_of(1, 0, 0, &n, &error) && !refract_index_of(1, 1, 2, &n, &error));
+}
+
 int main(void)
 {
+    test_angles();
     test_conjugates();
     test_rays();
     test_round_trip();

@@ -12,6 +12,7 @@ struct refract_input {
     double n, n_after, radius, object, image;
     bool mirror;
     struct refract_aim aim;
+    double refracted;
     int height_at;
 };
 
@@ -23,19 +24,21 @@ static const struct word planes[] = {
 };
 
 #define INDEX(member_name) MEASURE(member_name, number, NULL, "INDEX"), OPTION_POSITIVE
+#define INDEX_WORDS                                                                                \
+    "an index is a number: of air 1, water 1.33, glass about 1.5; lenscalc glass NAME has others"
 #define PLACE(member_name) MEASURE(member_name, length, "mm", "LENGTH")
 
 #define INPUT struct refract_input
 
 static const struct option options[] = {
     {INDEX(n), .name = "before", .column = "index_before",
-     .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY | OPTION_SETTING,
+     .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY | OPTION_SETTING, .no_number = INDEX_WORDS,
      .help = "index n before the surface; 1 unless solved for"},
     {INDEX(n_after), .name = "after", .column = "index_after",
-     .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY | OPTION_SETTING,
+     .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY | OPTION_SETTING, .no_number = INDEX_WORDS,
      .help = "index n' after the surface"},
     {PLACE(radius), .name = "radius", .letter = 'R', .column = "radius", .flags = OPTION_SETTING,
-     .help = "radius, + with the centre to the right; inf for a plane"},
+     .help = "radius, + with the centre to the right; without it a plane, or solved for"},
     {PLACE(object), .name = "object", .letter = 'z', .column = "object", .flags = OPTION_SETTING,
      .help = "object point on the axis from the vertex, + to the right: -200mm is in front of it; "
              "default inf"},
@@ -45,7 +48,11 @@ static const struct option options[] = {
      .flags = OPTION_NO_INFINITY, .help = "height of the ray: adds the exact results"},
     {MEASURE(aim.angle, angle, "deg", "ANGLE"), .name = "angle", .letter = 'u', .lowest = -PI / 2,
      .highest = PI / 2,
-     .help = "slope angle U of the ray, + rising to the right; instead of --height or --object"},
+     .help = "slope angle U of the ray, + rising to the right; instead of --height or --object. "
+             "Alone it is the angle of incidence on a plane"},
+    {MEASURE(refracted, angle, "deg", "ANGLE"), .name = "refracted", .lowest = -PI / 2,
+     .highest = PI / 2, .wants = "angle", .excludes = "after height object image radius mirror",
+     .help = "angle of refraction: gives the index after the surface"},
     {ASKED(height_at), .name = "height-at", .words = planes, .fallback = "surface",
      .value = "PLACE", .help = "where --height is measured"},
     {ASKED(mirror), .name = "mirror", .help = "a mirror: n' = -n"},
@@ -57,6 +64,7 @@ struct refract_row {
     double index_after; /* -n of a mirror */
     double power, object_vergence, image_vergence, magnification;
     double condition;
+    double critical, brewster, deviation;
     const char *object_kind, *image_kind;
 };
 
@@ -76,10 +84,12 @@ static const struct column columns[] = {
      .symbol = "n'", .label = "index after", .help = "index after the surface; -n of a mirror"},
     {MM(surface.R), .name = "radius", .flags = COLUMN_ECHO | COLUMN_INFINITE, .with = "radius",
      .symbol = "R", .help = "radius, + with the centre to the right"},
-    {MM(surface.z), .name = "object", .flags = COLUMN_ECHO | COLUMN_INFINITE | COLUMN_BRIEF,
-     .with = "object", .symbol = "z", .help = "object point from the vertex, + to the right"},
-    {MM(surface.z_image), .name = "image", .flags = COLUMN_INFINITE | COLUMN_BRIEF, .symbol = "z'",
-     .label = "image, paraxial", .condition = offsetof(struct refract_row, condition),
+    {MM(surface.z), .name = "object",
+     .flags = COLUMN_ECHO | COLUMN_INFINITE | COLUMN_BRIEF | COLUMN_SPARSE, .with = "object",
+     .symbol = "z", .help = "object point from the vertex, + to the right"},
+    {MM(surface.z_image), .name = "image", .flags = COLUMN_INFINITE | COLUMN_BRIEF | COLUMN_SPARSE,
+     .symbol = "z'", .label = "image, paraxial",
+     .condition = offsetof(struct refract_row, condition),
      .help = "Gaussian image from the vertex, + to the right"},
     {SHOWN(object_kind), .name = "object_kind", .label = "object is",
      .help = "real before the surface, virtual behind it"},
@@ -105,13 +115,22 @@ static const struct column columns[] = {
      .label = "incidence, I", .help = "angle of incidence, U + phi"},
     {RAY_ANGLE(refraction), .name = "refraction", WITH_RAY, .flags = COLUMN_BRIEF, .symbol = "I'",
      .label = "refraction, I'", .help = "angle of refraction (of reflection: -I)"},
+    {ANGLE(critical), .name = "critical_angle", .flags = COLUMN_SPARSE, .symbol = "Ic",
+     .label = "critical angle", .when = "where the index falls",
+     .help = "incidence from which on all light is reflected"},
+    {ANGLE(brewster), .name = "brewster_angle", WITH_RAY, .flags = COLUMN_SPARSE, .symbol = "IB",
+     .label = "Brewster's angle", .help = "incidence at which reflected light is polarised"},
+    {ANGLE(deviation), .name = "deviation", WITH_RAY, .flags = COLUMN_SPARSE, .symbol = "D",
+     .help = "by how much refraction turns the ray, U - U'"},
     {RAY_ANGLE(slope_after), .name = "slope_after", WITH_RAY, .symbol = "U'",
      .label = "slope after, U'", .help = "angle of the refracted ray with the axis"},
-    {MM(ray.crossing), .name = "crossing", WITH_RAY, .flags = COLUMN_INFINITE | COLUMN_BRIEF,
-     .symbol = "z'(h)", .label = "crosses the axis at",
+    {MM(ray.crossing), .name = "crossing", WITH_RAY,
+     .flags = COLUMN_INFINITE | COLUMN_BRIEF | COLUMN_SPARSE, .symbol = "z'(h)",
+     .label = "crosses the axis at",
      .help = "where the exact ray crosses the axis, from the vertex"},
-    {MM(ray.difference), .name = "difference", WITH_RAY, .flags = COLUMN_BRIEF, .symbol = "dz'",
-     .label = "difference, exact - paraxial", .help = "longitudinal aberration: crossing - image"},
+    {MM(ray.difference), .name = "difference", WITH_RAY, .flags = COLUMN_BRIEF | COLUMN_SPARSE,
+     .symbol = "dz'", .label = "difference, exact - paraxial",
+     .help = "longitudinal aberration: crossing - image"},
     {MM(ray.transverse), .name = "transverse", WITH_RAY, .symbol = "dy'",
      .label = "transverse aberration",
      .help = "transverse aberration: height of the exact ray in the Gaussian image plane"},
@@ -174,14 +193,30 @@ static void refract_fill_row(struct refract_row *row)
     if (s->z == 0) {
         row->object_kind = row->image_kind = "in the vertex";
     }
+    row->critical = s->mirror ? NAN : refract_critical_angle(s->n, s->n_after);
+    row->brewster =
+        s->mirror || isnan(row->ray.slope) ? NAN : refract_brewster_angle(s->n, s->n_after);
+    row->deviation = s->mirror ? NAN : row->ray.slope - row->ray.slope_after;
+}
+
+/* Of a ray that meets a plane somewhere there is no object, and no point where it crosses. */
+static void refract_forget_points(struct refract_row *row)
+{
+    row->surface.z = row->surface.z_image = NAN;
+    row->object_vergence = row->image_vergence = row->magnification = NAN;
+    row->object_kind = row->image_kind = NULL;
+    row->ray.height = row->ray.sag = row->ray.crossing = NAN;
+    row->ray.difference = row->ray.transverse = row->ray.paraxial_slope = NAN;
+    row->ray.paraxial_incidence = row->ray.paraxial_refraction = NAN;
+    row->ray.paraxial_slope_after = NAN;
 }
 
 static const struct refract_ray no_ray = {NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN,
                                           NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN};
 
 /* The surface and the ray that meets it: height and angle together say where the object is. */
-static bool refract_row_solve(const struct refract_input *input, const struct refract_aim *aim,
-                              struct refract_row *row, struct error *error)
+static bool refract_row_solve(const struct refract_aim *aim, struct refract_row *row,
+                              struct error *error)
 {
     struct refract_surface *s = &row->surface;
     bool line = !isnan(aim->height) && !isnan(aim->angle);
@@ -198,7 +233,7 @@ static bool refract_row_solve(const struct refract_input *input, const struct re
     if (!refract_check_count(s, error) || !refract_solve(s, error)) {
         return false;
     }
-    if (isnan(input->aim.height) && isnan(input->aim.angle)) {
+    if (isnan(aim->height) && isnan(aim->angle)) {
         row->ray = no_ray;
         return true;
     }
@@ -217,10 +252,23 @@ static bool refract_run(const void *data, struct run *run, struct error *error)
     if (s->mirror && !isnan(s->n_after)) {
         return fail(error, ERROR_USAGE, "{--mirror} has no {--after}: the light stays before it");
     }
-    if (isnan(aim.height) && !isnan(aim.angle) && isnan(s->z) && isnan(s->z_image)) {
-        return fail(error, ERROR_USAGE, "{--angle} needs {--height} or {--object} beside it");
+    const bool alone = isnan(aim.height) && !isnan(aim.angle) && isnan(s->z) && isnan(s->z_image);
+    if (alone && isfinite(s->R)) {
+        return fail(error, ERROR_USAGE,
+                    "{--angle} needs {--height} or {--object} beside {--radius}");
     }
-    /* What is not said: air before, an object at infinity; never what is asked for. */
+    /* What is not said: air before, a plane, an object at infinity; never what is asked for. */
+    if (isnan(s->R) && isnan(s->z_image)) {
+        s->R = INFINITY;
+    }
+    if (alone) {
+        aim.height = 0;
+        s->n = isnan(s->n) ? 1 : s->n;
+    }
+    if (!isnan(input->refracted) &&
+        !refract_index_of(s->n, aim.angle, input->refracted, &s->n_after, error)) {
+        return false;
+    }
     bool after = s->mirror || !isnan(s->n_after);
     int unknown = !after + isnan(s->R) + isnan(s->z) + isnan(s->z_image);
     if (isnan(s->n) && (unknown > 0 || s->mirror)) {
@@ -229,10 +277,13 @@ static bool refract_run(const void *data, struct run *run, struct error *error)
     if (isnan(s->z) && unknown > 1 && isnan(input->aim.angle)) {
         s->z = -INFINITY;
     }
-    if (!refract_row_solve(input, &aim, &row, error)) {
+    if (!refract_row_solve(&aim, &row, error)) {
         return false;
     }
     refract_fill_row(&row);
+    if (alone) {
+        refract_forget_points(&row);
+    }
     run_emit(run, &row);
     return true;
 }
@@ -247,6 +298,8 @@ static const struct explanation explanations[] = {
     {"incidence", "I = {U} + {phi}", "the radius is the normal", NULL},
     {"refraction", "I' = asin({n}/{n'} sin({I}))", "Snell's law",
      "total reflection where sin I' would be beyond 1"},
+    {"critical_angle", "Ic = asin({n'}/{n})", "[OpenStax16] ch. 1.4", NULL},
+    {"brewster_angle", "IB = atan({n'}/{n})", "[OpenStax16] ch. 1.7", NULL},
     {"slope_after", "U' = {I'} - {phi}", "the radius is the normal", NULL},
     {"crossing", "z'(h) = {x} - {h}/tan({U'})", "similar triangles",
      "computed as n'/s' = n/s + (n' cos I' - n cos I)/R, which subtracts no large numbers"},
@@ -258,6 +311,8 @@ static const struct explanation explanations[] = {
 };
 
 static const struct example examples[] = {
+    {"refract -u 30deg --after 1.5", "a ray into glass"},
+    {"refract --before 1.33 --after 1 -z -2m", "how deep a coin under 2 m of water seems"},
     {"refract --after 1.5168 -R 50mm -z -200mm", "the image of a point through one surface"},
     {"refract --after 1.5168 -R 50mm -y 20mm", "a parallel ray, exact and paraxial"},
     {"refract --after 1.5 -R 50 -y 1..40 --plot aberration.svg", "spherical aberration by height"},
