@@ -141,7 +141,7 @@ VALUES = {
     "sidelap": "60%", "along": "width", "blur/survey": "2", "pixels/survey": "5472x3648", "throw": "2",
     "screen": "80in", "width": "3m", "height/projector": "2m", "aspect": "4:3", "lumens": "1500",
     "gain/projector": "1.3",
-    "field/fov": "3x2.5m", "na": "0.05", "blur/fov": "2",
+    "field/fov": "3x2.5m", "na": "0.05", "working-fnumber": "9", "blur/fov": "2",
     "pixels/fov": "3000x2000", "density": "100px/m", "task": "observe", "line-rate": "20kHz",
     "pixels/panorama": "6000", "horizontal/panorama": "60deg", "vertical/panorama": "40deg",
     "before": "1.33", "after": "1.6", "radius": "40mm", "object": "2m", "height-at": "5mm",

@@ -236,14 +236,16 @@ bool batch_add_column(struct batch *batch, struct text name, size_t at, struct e
            error_locate(error, batch->source, batch->line, at);
 }
 
-/* Is every option that a goal would solve for already there? */
-static bool has_all_settings(const struct batch *batch)
+/* Is every option that this goal would be solved for already there? */
+static bool has_all_settings(const struct batch *batch, const struct option *goal)
 {
     const struct command *command = batch->arguments->command;
+    const bool of_two = (goal->flags & OPTION_GOAL_OF_TWO) != 0;
+    const unsigned settings = OPTION_SETTING | (of_two ? OPTION_SETTING_TOO : 0);
     bool any = false;
     for (size_t i = 0; i < command->option_count; i++) {
         const struct option *option = &command->options[i];
-        if ((option->flags & OPTION_SETTING) == 0) {
+        if ((option->flags & settings) == 0) {
             continue;
         }
         any = true;
@@ -256,9 +258,8 @@ static bool has_all_settings(const struct batch *batch)
     return any;
 }
 
-/* What becomes of a column. `settled`: the columns say all that goals would be solved for. */
-static bool settle_column(struct batch *batch, struct batch_column *column, bool settled,
-                          struct error *error)
+/* What becomes of a column. A goal is passed over where all it would be solved for is there. */
+static bool settle_column(struct batch *batch, struct batch_column *column, struct error *error)
 {
     const struct option *meant = column->doubtful;
     if (meant != NULL && !batch_has(batch, meant->name) &&
@@ -266,7 +267,8 @@ static bool settle_column(struct batch *batch, struct batch_column *column, bool
         return header_wrong_unit(column, error);
     }
     bool goal = column->option != NULL && (column->option->flags & OPTION_GOAL) != 0;
-    if (goal && settled && !arguments_given(batch->arguments, column->option->name)) {
+    if (goal && has_all_settings(batch, column->option) &&
+        !arguments_given(batch->arguments, column->option->name)) {
         column->is_ignored = true;
         column->is_plain = false;
     } else if (column->is_ignored || (column->option == NULL && is_computed(batch, column->name))) {
@@ -291,10 +293,9 @@ static bool settle_column(struct batch *batch, struct batch_column *column, bool
 
 bool batch_settle_columns(struct batch *batch, struct error *error)
 {
-    bool settled = has_all_settings(batch);
     for (size_t i = 0; i < batch->column_count; i++) {
         struct batch_column *column = &batch->columns[i];
-        if (!settle_column(batch, column, settled, error)) {
+        if (!settle_column(batch, column, error)) {
             return error_locate(error, batch->source, batch->line, column->place);
         }
     }
@@ -343,7 +344,7 @@ struct batch_column *batch_add_late(struct batch *batch, struct text name, struc
         return NULL;
     }
     struct batch_column *added = &batch->columns[batch->column_count - 1];
-    if (!settle_column(batch, added, has_all_settings(batch), error)) {
+    if (!settle_column(batch, added, error)) {
         batch->column_count--;
         return NULL;
     }

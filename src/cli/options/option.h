@@ -353,6 +353,8 @@ enum option_flag {
     OPTION_NO_SERIES = 16384,    /* no setting of a camera: it has no labels of a stop series */
     OPTION_SEVERAL = 65536,      /* may be given several times: its values are one list */
     OPTION_EMPTY = 131072,       /* a text that may be empty */
+    OPTION_SETTING_TOO = 262144, /* a setting that only goals of two are solved for */
+    OPTION_GOAL_OF_TWO = 524288, /* a goal that is open while one of these is not given */
     OPTION_ASIDE = 32768 /* says how work is done, not what comes of it: threads, a part of it */
 };
 

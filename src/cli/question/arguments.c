@@ -81,6 +81,7 @@ static const struct {
     {"groundsampledistance groundsample", "gsd"},
     {"memory storage cardsize", "card"},
     {"filesize", "frame-size"},
+    {"aperture n", "working-fnumber"},
     {"fieldofview", "field"},
     {"ppm ppf pixeldensity pixelspermeter pixelspermetre", "density"},
     {"resolution megapixels", "pixels"},

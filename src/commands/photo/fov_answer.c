@@ -274,7 +274,7 @@ static bool solve_view(struct fov_input *input, const struct photo_lens *lens, s
         input->sensor.size = problem.sensor;
         input->sensor.size.pitch = problem.sensor.width / input->pixels.wide;
         input->sensor.name =
-            arena_printf(run->arena, "%.4g x %.4g mm%s", problem.sensor.width,
+            arena_printf(run->arena, "%.6g x %.6g mm%s", problem.sensor.width,
                          problem.sensor.height, is_shaped ? " (its shape, 3:2, assumed)" : "");
     }
     return true;

@@ -49,11 +49,13 @@ bool fov_fill_pixels(const struct fov_input *input, struct fov_row *row, struct 
     row->density =
         is_near ? pixel_density(row->magnification, row->pitch, input->squeeze) : (double)NAN;
     row->object_pixel = 1 / row->density;
-    row->speed = input->speed;
-    row->line_rate = input->line_rate;
-    if (isnan(input->speed) && isnan(input->line_rate)) {
+    row->speed = row->line_rate = NAN;
+    /* rows of other commands bring the speed of something else */
+    if (!input->line_scan || (isnan(input->speed) && isnan(input->line_rate))) {
         return true;
     }
+    row->speed = input->speed;
+    row->line_rate = input->line_rate;
     if (!is_near) {
         return fail(error, ERROR_USAGE, "{--%s} needs a finite {--distance}, or a field",
                     isnan(input->speed) ? "line-rate" : "speed");

@@ -19,8 +19,10 @@ static bool size_of_pixels(const struct pixels_question *a, struct sensor_value 
     }
     *sensor =
         (struct sensor_value){.size = {wide * a->pitch, high * a->pitch, a->pitch}, .focal = NAN};
-    sensor->name = arena_printf(arena, "%.15g x %.15g pixels of %.4g um (%.5g x %.5g mm)", wide,
-                                high, 1000 * a->pitch, sensor->size.width, sensor->size.height);
+    /* the size first, so that it reads back as one */
+    sensor->name =
+        arena_printf(arena, "%.6g x %.6g mm (%.15g x %.15g pixels of %.4g um)", sensor->size.width,
+                     sensor->size.height, wide, high, 1000 * a->pitch);
     return true;
 }
 
@@ -45,11 +47,11 @@ static void count_pixels(const struct pixels_question *a, struct sensor_value *s
         size->width = shape * size->height;
         struct text rest = text_of(sensor->name);
         const struct text format = text_trim(text_cut(&rest, '('));
-        sensor->name = arena_printf(arena,
-                                    "%.*s (%.4g x %.4g mm: its nominal diagonal, %.4g mm, in the "
-                                    "shape of %.15gx%.15g)",
-                                    text_shown(format), format.start, size->width, size->height,
-                                    diagonal, pixels->wide, pixels->high);
+        sensor->name = arena_printf(
+            arena,
+            "%.6g x %.6g mm (%.*s: its nominal diagonal, %.4g mm, in the shape of %.15gx%.15g)",
+            size->width, size->height, text_shown(format), format.start, diagonal, pixels->wide,
+            pixels->high);
     } else if (fabs(stretch - 1) > SQUARE) {
         warnings_add(doubts,
                      "%.15gx%.15g pixels would not be square on %s: the pitch is that across",
@@ -83,6 +85,7 @@ bool pixels_settle(const struct pixels_question *question, struct sensor_value *
                     "one of them");
     }
     sensor->size.height = sensor->size.pitch;
-    sensor->name = arena_printf(arena, "a line of %s", sensor->name);
+    sensor->name = arena_printf(arena, "%.6g x %.6g mm (a line of %s)", sensor->size.width,
+                                sensor->size.height, sensor->name);
     return true;
 }
