@@ -241,6 +241,22 @@ static bool refract_row_solve(const struct refract_aim *aim, struct refract_row 
            refract_through(s, &row->ray, error);
 }
 
+/* What is not said: air before, a plane, an object at infinity; never what is asked for. */
+static void refract_assume(struct refract_surface *s, bool has_angle)
+{
+    if (isnan(s->R) && isnan(s->z_image)) {
+        s->R = INFINITY;
+    }
+    const bool after = s->mirror || !isnan(s->n_after);
+    const int unknown = !after + isnan(s->R) + isnan(s->z) + isnan(s->z_image);
+    if (isnan(s->n) && (unknown > 0 || s->mirror)) {
+        s->n = 1;
+    }
+    if (isnan(s->z) && unknown > 1 && !has_angle) {
+        s->z = -INFINITY;
+    }
+}
+
 static bool refract_run(const void *data, struct run *run, struct error *error)
 {
     const struct refract_input *input = data;
@@ -257,25 +273,13 @@ static bool refract_run(const void *data, struct run *run, struct error *error)
         return fail(error, ERROR_USAGE,
                     "{--angle} needs {--height} or {--object} beside {--radius}");
     }
-    /* What is not said: air before, a plane, an object at infinity; never what is asked for. */
-    if (isnan(s->R) && isnan(s->z_image)) {
-        s->R = INFINITY;
-    }
     if (alone) {
         aim.height = 0;
-        s->n = isnan(s->n) ? 1 : s->n;
     }
+    refract_assume(s, !isnan(aim.angle));
     if (!isnan(input->refracted) &&
         !refract_index_of(s->n, aim.angle, input->refracted, &s->n_after, error)) {
         return false;
-    }
-    bool after = s->mirror || !isnan(s->n_after);
-    int unknown = !after + isnan(s->R) + isnan(s->z) + isnan(s->z_image);
-    if (isnan(s->n) && (unknown > 0 || s->mirror)) {
-        s->n = 1;
-    }
-    if (isnan(s->z) && unknown > 1 && isnan(input->aim.angle)) {
-        s->z = -INFINITY;
     }
     if (!refract_row_solve(&aim, &row, error)) {
         return false;
