@@ -50,68 +50,122 @@ enum argument_rank argument_rank(const struct argument *argument)
     return argument->entry == NULL ? RANK_TYPED : ranks[argument->entry->scope];
 }
 
-/* What other programs, and the trade, call what is an option here. */
-static const struct {
+/* Names of an option in other programs and in the trade. */
+struct trade_name {
     const char *names, *option;
-} trade_words[] = {
-    {"fstop fnumber fstops stop av", "aperture"},
-    {"shutter shutterspeed exposuretime speed tv", "time"},
-    {"asa sensitivity filmspeed", "iso"},
-    {"nd ndfilter density stops", "filter"},
-    {"focus subject subjectdistance focusdistance objectdistance workingdistance wd throwdistance",
-     "distance"},
-    {"subjectspeed velocity", "speed"},
-    {"light lighting condition", "scene"},
-    {"camera body drone filmformat sensorsize", "sensor"},
-    {"focal", "focal-length"},
-    {"circleofconfusion", "coc"},
-    {"extension extensiontube bellows", "tube"},
-    {"teleconverter extender tc", "converter"},
-    {"diopter diopters dioptre dioptres closeuplens", "close-up"},
-    {"anamorphic desqueeze", "squeeze"},
-    {"gn", "guide-number"},
-    {"fps rate", "frame-rate"},
-    {"duration eventlength", "event"},
-    {"frames photos pictures exposures", "shots"},
-    {"wb whitebalance", "balance"},
-    {"cct colortemperature colourtemperature", "kelvin"},
-    {"hz mainsfrequency", "mains"},
-    {"paper printsize", "print"},
-    {"agl flightheight", "altitude"},
-    {"groundsampledistance groundsample", "gsd"},
-    {"memory storage cardsize", "card"},
-    {"filesize", "frame-size"},
-    {"aperture n", "working-fnumber"},
-    {"fieldofview", "field"},
-    {"ppm ppf pixeldensity pixelspermeter pixelspermetre", "density"},
-    {"resolution megapixels", "pixels"},
-    {"frontoverlap forwardoverlap frontlap", "overlap"},
-    {"sideoverlap", "sidelap"},
-    {"brightness nits footlamberts", "luminance"},
-    {"lux", "illuminance"},
-    {"screensize", "screen"},
 };
 
-/* The option of this command that such a word means, or whose column has this name; or null. */
-static const struct option *meant_by(const struct arguments *arguments, struct text name)
+/* Those that mean the same quantity, in whichever command the option is: they are taken for it. */
+static const struct trade_name aliases[] = {
+    {"fstop fnumber", "aperture"},
+    {"shutter shutterspeed exposuretime", "time"},
+    {"asa filmspeed", "iso"},
+    {"subjectdistance focusdistance", "distance"},
+    {"subjectspeed velocity", "speed"},
+    {"camera body sensorsize", "sensor"},
+    {"focal", "focal-length"},
+    {"circleofconfusion", "coc"},
+    {"extensiontube", "tube"},
+    {"teleconverter extender tc", "converter"},
+    {"closeup closeuplens", "close-up"},
+    {"anamorphic desqueeze", "squeeze"},
+    {"gn", "guide-number"},
+    {"fps", "frame-rate"},
+    {"eventlength", "event"},
+    {"whitebalance wb", "balance"},
+    {"cct colortemperature colourtemperature", "kelvin"},
+    {"mainsfrequency", "mains"},
+    {"printsize", "print"},
+    {"agl flightheight", "altitude"},
+    {"groundsampledistance", "gsd"},
+    {"cardsize", "card"},
+    {"filesize", "frame-size"},
+    {"pixel pixelsize pixelpitch", "pitch"},
+    {"width", "field-width"},
+    {"height", "field-height"},
+    {"pixeldensity", "density"},
+    {"frontoverlap forwardoverlap frontlap", "overlap"},
+    {"sideoverlap", "sidelap"},
+    {"nits", "luminance"},
+    {"lux", "illuminance"},
+    {"screensize", "screen"},
+    {"afov apparentfieldofview", "apparent-field"},
+    {"numericalaperture", "na"},
+    {"n1", "before"},
+    {"n2", "after"},
+};
+
+/* Those that may be meant so, or are measured in another way: they are hints. */
+static const struct trade_name hints[] = {
+    {"fstops stop av", "aperture"},
+    {"speed tv", "time"},
+    {"sensitivity", "iso"},
+    {"nd ndfilter density stops", "filter"},
+    {"focus subject objectdistance workingdistance wd throwdistance mfd closestfocus "
+     "minimumfocus s",
+     "distance"},
+    {"light lighting condition", "scene"},
+    {"drone filmformat", "sensor"},
+    {"extension bellows", "tube"},
+    {"diopter diopters dioptre dioptres", "close-up"},
+    {"rate", "frame-rate"},
+    {"duration", "event"},
+    {"frames photos pictures exposures", "shots"},
+    {"hz", "mains"},
+    {"paper", "print"},
+    {"groundsample", "gsd"},
+    {"aperture n", "working-fnumber"},
+    {"memory storage", "card"},
+    {"fieldofview fov size", "field"},
+    {"fieldofview fov size", "field-width"},
+    {"ppm ppf pixelspermeter pixelspermetre", "density"},
+    {"resolution megapixels", "pixels"},
+    {"brightness footlamberts", "luminance"},
+    {"on", "to"},
+    {"s do distance objectdistance", "object"},
+    {"di imagedistance", "image"},
+    {"lenses", "then"},
+    {"medium", "before"},
+};
+
+static bool is_among(struct text name, const char *names)
 {
-    const char *option = "";
-    for (size_t i = 0; i < sizeof trade_words / sizeof trade_words[0]; i++) {
-        struct text words = text_of(trade_words[i].names);
-        while (words.length > 0) {
-            if (text_same_name(name, text_cut(&words, ' '))) {
-                option = trade_words[i].option;
+    struct text words = text_of(names);
+    bool found = false;
+    while (words.length > 0 && !found) {
+        found = text_same_name(name, text_cut(&words, ' '));
+    }
+    return found;
+}
+
+/* The argument that such a name stands for; null where the command has no such option. */
+static struct argument *named_by(const struct arguments *arguments, struct text name,
+                                 const struct trade_name *all, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        if (is_among(name, all[i].names)) {
+            for (size_t j = 0; j < arguments->count; j++) {
+                if (strcmp(arguments->all[j].option->name, all[i].option) == 0) {
+                    return &arguments->all[j];
+                }
             }
         }
     }
+    return NULL;
+}
+
+/* The option of this command that may be meant, or whose column has this name; or null. */
+static const struct option *meant_by(const struct arguments *arguments, struct text name)
+{
+    const struct argument *hinted =
+        named_by(arguments, name, hints, sizeof hints / sizeof hints[0]);
     for (size_t i = 0; i < arguments->count; i++) {
         const struct option *own = arguments->all[i].option;
-        bool repeats = own->column != NULL && text_same_name(name, text_of(own->column));
-        if (repeats || strcmp(own->name, option) == 0) {
+        if (own->column != NULL && text_same_name(name, text_of(own->column))) {
             return own;
         }
     }
-    return NULL;
+    return hinted != NULL ? hinted->option : NULL;
 }
 
 static bool arguments_unknown(const struct arguments *arguments, struct text name,
@@ -230,6 +284,9 @@ static bool parse_long(struct arguments *arguments, struct text word, struct wor
     struct text value = word;
     struct text name = text_cut(&value, '=');
     struct argument *argument = arguments_find(arguments, name);
+    if (argument == NULL) {
+        argument = named_by(arguments, name, aliases, sizeof aliases / sizeof aliases[0]);
+    }
     if (argument == NULL) {
         return arguments_unknown(arguments, name, "--", error);
     }
