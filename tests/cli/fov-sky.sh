@@ -6,6 +6,9 @@ lenscalc fov -f 1000 --subject jupiter --subject-angle 40arcsec --json \
     --columns subject,subject_angle_arcmin,subject_image_mm,subject_pixels
 lenscalc fov --lens fisheye-16 --subject moon --pitch 4um --columns pixel_scale,subject_image
 lenscalc fov -f 8mm --projection equisolid --sensor mft --subject-angle 180deg --csv --columns subject_image
+lenscalc fov --pixel-scale 0.5,1,2 --sensor "ZWO ASI2600MC Pro"
+lenscalc fov --pixel-scale 1arcsec
+lenscalc fov --pixel-scale 1arcsec --pitch 3um -f 50
 for wrong in "--subject mon" "--subject-angle 0" "--subject-angle 181deg" "--pitch 4arcsec"; do
     lenscalc fov -f 8mm --columns subject_image $wrong
     echo "status $?"

@@ -159,7 +159,7 @@ VALUES = {
     "eye-pupil": "5mm", "naked-eye": "5", "back-focus": "55mm", "filter-thickness": "3mm",
     "filter-index": "1.6", "objective": "60x/0.8", "na": "0.6", "immersion": "water",
     "index": "1.4", "field-number": "20", "tube-lens": "180mm", "marked-for": "200mm",
-    "condenser": "0.3", "adapter": "0.5x", "sensor/microscope": "2/3in", "subject-angle": "40arcsec", "time/bracket": "1/30", "shots/timelapse": "300",
+    "condenser": "0.3", "adapter": "0.5x", "sensor/microscope": "2/3in", "subject-angle": "40arcsec", "pixel-scale": "1arcsec", "time/bracket": "1/30", "shots/timelapse": "300",
     "solution": "second", "lens-file": "single.lens", "pupil-point": "0.3:0.5", "pupil-x": "0.3",
     "pupil-y": "0.5", "point": "0:6:-20", "direction": "0:0.1:1", "x": "1mm", "y": "2mm",
     "z": "-20mm", "cos-x": "0.1", "cos-y": "0.1", "cos-z": "0.9", "side": "exit", "outline": "5",

@@ -35,6 +35,7 @@ EXAMPLES = (
     ("microscope 40x/0.65 --eyepiece 10x/22", "field_mm", 0.55, 1e-9, "definition: FN/M"),
     ("fov -f 1000 --pitch 3.76um", "pixel_scale_arcsec", 206.265 * 3.76 / 1000, 1e-6,
      "206.265 p/f"),
+    ("fov --pixel-scale 1arcsec --pitch 3.76um", "focal_mm", 206.265 * 3.76, 1e-3, "206.265 p/f"),
     ("fov -f 1000 --subject jupiter", "subject_angle_arcmin", 46.9 / 60, 0.05 / 60,
      "NSSDC: 46.9 arcsec at opposition"),
 )

@@ -259,7 +259,9 @@ static bool solve_view(struct fov_input *input, const struct photo_lens *lens, s
         return false;
     }
     problem.sensor = input->sensor.size;
-    if (!find_subject(input, lens, &problem, error)) {
+    const struct sharpness pixels = {.sensor = input->sensor, .pitch = input->pitch};
+    if (!sky_focal_length(&input->sky, sharpness_pitch(&pixels), &problem.setting, error) ||
+        !find_subject(input, lens, &problem, error)) {
         return false;
     }
     if (problem.unknown == FOV_GIVEN && !fov_solve(&problem, error)) {

@@ -2,6 +2,20 @@
 /* SPDX-License-Identifier: MIT */
 #include "commands/photo/sky_subject.h"
 
+bool sky_focal_length(const struct sky_question *question, double pitch,
+                      struct fov_setting *setting, struct error *error)
+{
+    if (isnan(question->scale)) {
+        return true;
+    }
+    if (isnan(pitch)) {
+        return fail(error, ERROR_USAGE,
+                    "{--pixel-scale} needs the pixel pitch: give {--pitch}, or a camera as "
+                    "{--sensor}");
+    }
+    return fov_focal_length(setting, pitch, 2 * atan(question->scale / 2), &setting->f, error);
+}
+
 bool sky_fill(const struct sky_question *question, const struct fov_setting *setting,
               const struct sensor *sensor, double pitch, struct sky_row *row, struct error *error)
 {

@@ -10,6 +10,7 @@
 struct sky_question {
     int subject;  /* place in sky_objects; 0 = none */
     double angle; /* rad; NaN = that of the subject */
+    double scale; /* wanted angle of a pixel, rad; NaN = none */
 };
 
 struct sky_row {
@@ -27,6 +28,11 @@ struct sky_row {
 #define SKY_OPTIONS(member)                                                                        \
     ENTRY(ASKED(member.subject), REPEATED("subject"), .words = sky_objects, .fallback = "none",    \
           .value = "OBJECT", .help = "what is looked at in the sky: adds the size of its image"),  \
+        ENTRY(MEASURE(member.scale, angle, "arcsec", "ANGLE"), .name = "pixel-scale",              \
+              .column = "pixel_scale", ABOVE_0 | OPTION_GOAL,                                      \
+              .excludes = "focal-length lens magnification converter crop horizontal vertical "    \
+                          "diagonal field-width field-height field-diagonal",                      \
+              .help = "wanted angle of a pixel: solves for the focal length"),                     \
         ENTRY(MEASURE(member.angle, angle, "arcmin", "ANGLE"), .name = "subject-angle",            \
               .column = "subject_angle", .lowest = 0, .highest = PI, .flags = OPTION_ABOVE_LOWEST, \
               .help = "angle that the subject subtends, in place of that of --subject")
@@ -59,6 +65,16 @@ struct sky_row {
         "subject_image projection=rectilinear", "im = 2 {f} (1 + {m}/{P}) tan({su}/2)",            \
             "definition of the projection", "in the middle of the picture"                         \
     }
+
+/*
+ * The focal length that has the wanted angle of a pixel, where one is wanted.
+ *
+ * Given     setting  its projection, s and P; receives f
+ * Formula   f' = p/angle, as fov_focal_length
+ * Errors    ERROR_USAGE: no pitch
+ */
+bool sky_focal_length(const struct sky_question *question, double pitch,
+                      struct fov_setting *setting, struct error *error);
 
 /*
  * Pixels and subject against the sky.
