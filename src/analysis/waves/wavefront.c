@@ -67,7 +67,7 @@ static bool wavefront_find_values(const struct wavefront_source *source, size_t 
     double arrived = 0, missed = 0;
     for (size_t i = 0; i < bundle.count; i++) {
         values->waves[i] = wave_of(source, &bundle.rays, i);
-        if (ray_block_status(bundle.rays.blocks, i) == RAY_OK) {
+        if (ray_block_status(&bundle.rays.blocks[i / RAYS_BLOCK], i % RAYS_BLOCK) == RAY_OK) {
             arrived += bundle.points[i].weight;
             missed += isnan(values->waves[i]) ? bundle.points[i].weight : 0;
         }
