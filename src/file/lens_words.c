@@ -284,6 +284,13 @@ bool lens_words_medium(const struct file_words *words, struct text text, struct 
     }
     const bool is_number = text.start[0] != '\0' && strchr("0123456789.+-", text.start[0]) != NULL;
     if (!is_number) {
+        /* marks hold words together that are read apart when the name is written again */
+        for (size_t i = 0; i < text.length; i++) {
+            if (text.start[i] == '"' || text.start[i] == '{') {
+                return file_words_fail(words, (struct text){text.start + i, 1},
+                                       "the name of a glass has no '%c'", text.start[i]);
+            }
+        }
         return true;
     }
     struct text abbe = text, index = text_cut(&abbe, '/');

@@ -16,5 +16,6 @@ lenscalc list columns spot lens_name --csv
 printf '%s\n' 'lens,lens_name' 'a title,double-gauss' | lenscalc lens --batch - -w d --csv \
     --digits 4 --columns lens_name,lens,efl
 printf '%s\n' lens 'Double Gauss 100 mm f/2' | lenscalc lens --batch - -w d --csv --columns efl
-# a mark within a name of a surface: written, it could not be read again
+# a mark within a name of a surface or a glass: written, it could not be read again
 printf 'lens marks\nsurface 50 1 1.5 3 name=q"a b"\nsurface - 1 air 3\n' | lenscalc convert -
+printf 'lens marks\nsurface 50 1 N-"BK 7" 3\nsurface - 1 air 3\n' | lenscalc convert -
