@@ -190,6 +190,10 @@ static bool motion_run(const void *data, struct run *run, struct error *error)
     if (!sharpness_settle(&own.sharp, PITCH_FOR_MORE, run->doubts, error)) {
         return false;
     }
+    const bool is_solved = is_given(own.time) && is_given(own.blur.coc.value);
+    if (!is_solved && !is_given(own.focal.length) && !is_given(own.magnification)) {
+        own.focal.length = own.sharp.sensor.focal; /* of a camera with one lens; else not known */
+    }
     struct motion_row row = {
         .motion = {input->speed, input->time, NAN, NAN, input->angle, input->distance,
                    input->height},

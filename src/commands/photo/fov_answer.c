@@ -410,13 +410,28 @@ static bool answer_focused(const struct fov_input *input, size_t position, struc
     return fov_answer(&own, &near, run, error);
 }
 
+/* Does the camera's own lens settle the focal length, as nothing else does? */
+static bool has_camera_lens(const struct fov_input *input)
+{
+    const struct fov_goals goals = fov_input_goals(input);
+    const bool is_angle = !isnan(goals.horizontal) || !isnan(goals.vertical) ||
+                          !isnan(goals.diagonal) || !isnan(input->sky.scale);
+    const bool is_field = fov_goals_fields(&goals) > 0 || input->task > 0 || input->dori;
+    return !isnan(input->sensor.focal) && isnan(input->lens.focal.length) &&
+           input->lens.lens.lens == NULL && !is_angle && (!is_field || isinf(input->distance));
+}
+
 bool fov_run(const void *data, struct run *run, struct error *error)
 {
-    const struct fov_input *input = data;
+    struct fov_input own = *(const struct fov_input *)data;
+    const struct fov_input *input = &own;
     const size_t *positions;
     size_t count;
     if (input->telecentric) {
         return fov_telecentric(input, run, error);
+    }
+    if (has_camera_lens(input)) {
+        own.lens.focal.length = input->sensor.focal;
     }
     if (input->gap == NULL || input->lens.lens.lens == NULL) {
         return photo_lens_each(&input->lens, 0, run, fov_tasks_answer, input, error);
