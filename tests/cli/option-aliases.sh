@@ -28,3 +28,6 @@ try equivalent -f 25 --sensor mft --on 35mm
 try tilt -f 150 --height 1.2m
 # given twice, once by each name
 try flash --gn 58 --guide-number 36 -s 4m
+same visual '--telescope 2000mm' '--focal 2000mm' --eyepiece 25mm
+# magnification and field need no diameter
+try visual --telescope 2000mm --eyepiece 25mm

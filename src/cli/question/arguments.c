@@ -64,6 +64,7 @@ static const struct trade_name aliases[] = {
     {"subjectspeed velocity", "speed"},
     {"camera body sensorsize", "sensor"},
     {"focal", "focal-length"},
+    {"focal focallength", "telescope"},
     {"circleofconfusion", "coc"},
     {"extensiontube", "tube"},
     {"teleconverter extender tc", "converter"},

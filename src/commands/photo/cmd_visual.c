@@ -303,6 +303,11 @@ static bool visual_fill_light(const struct visual_input *input, struct visual_ro
         row->obstruction = 0;
     }
     row->wavelength = input->wavelength;
+    row->lowest_eyepiece = row->highest_eyepiece = NAN;
+    if (!is_given(D) && is_given(row->setting.power) && !is_given(input->secondary)) {
+        row->light = (struct visual_light){NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN};
+        return true; /* magnification and field alone */
+    }
     if (!visual_gather(&row->setting, &row->eye, row->obstruction, 1000 * input->wavelength,
                        &row->light, error)) {
         return false;
