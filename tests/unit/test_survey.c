@@ -157,6 +157,9 @@ static void test_brightness(void)
     CHECK(projector_solve(&a, &error));
     CHECK_RELATIVE(a.flux, 3000.0, 4 * DBL_EPSILON, "500 lx on 6 m2");
     CHECK_RELATIVE(a.luminance, 650 / PI, 4 * DBL_EPSILON, "G E/pi");
+    a.flux = a.illuminance = a.height = a.diagonal = NAN;
+    CHECK(projector_solve(&a, &error));
+    CHECK_RELATIVE(a.flux, 3000.0, 8 * DBL_EPSILON, "of that luminance on 6 m2");
     a = blank();
     a.width = 3000;
     a.luminance = a.illuminance = 9;

@@ -78,6 +78,7 @@ static const struct trade_name aliases[] = {
     {"mainsfrequency", "mains"},
     {"printsize", "print"},
     {"agl flightheight", "altitude"},
+    {"altitude", "distance"},
     {"groundsampledistance", "gsd"},
     {"cardsize", "card"},
     {"filesize", "frame-size"},
