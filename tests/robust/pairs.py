@@ -232,6 +232,7 @@ EXEMPT = (
     ("panorama", "tolerance", "near", "an angle alone where pixels are not known, with --offset"),
     ("fov", "field-width", "field-diagonal", "of several fields the largest counts"),
     ("fov", "field-diagonal", "field-height", "the same"),
+    ("fov", "field-diagonal", "field", "the same"),
     ("focus", "converter-length", "converter", "it shows in distances, where these are known"),
 )
 
