@@ -100,6 +100,10 @@ static void *end_work(void *argument)
 void interrupt_watch(interrupt_break_off *break_off, void *context)
 {
     static const int signals[] = {SIGINT, SIGTERM};
+    if (watcher.is_there) { /* a second command of the same process */
+        watcher = (struct watcher){true, break_off, context};
+        return;
+    }
     watcher = (struct watcher){true, break_off, context};
     /* signals are for the others: system calls of these return */
     pthread_t thread;
