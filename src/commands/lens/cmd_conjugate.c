@@ -456,6 +456,51 @@ static bool conjugate_run(const void *data, struct run *run, struct error *error
     return error->code == ERROR_NONE;
 }
 
+static bool diagram_check(const struct artifact_job *job, struct error *error)
+{
+    const struct conjugate_input *input = job->inputs[0];
+    if (input->question.lens.lens != NULL) {
+        return fail(error, ERROR_USAGE,
+                    "{--diagram} draws thin lenses and mirrors; of other lenses "
+                    "lenscalc draw --construction does");
+    }
+    return (input->object_medium.record == NULL && input->image_medium.record == NULL) ||
+           fail(error, ERROR_USAGE, "{--diagram} draws lenses in air");
+}
+
+/* The construction of the image; of two solutions the first. */
+static bool diagram_make(const struct artifact_job *job, struct output *sink, struct error *error)
+{
+    struct arena *arena = job->run->arena;
+    struct conjugate_input asked;
+    struct paraxial_system system;
+    struct paraxial_trace trace;
+    struct conjugate_ray rays[2];
+    struct svg svg = {.arena = arena};
+    if (!conjugate_make_ideal(job->inputs[0], &asked, arena, error)) {
+        return false;
+    }
+    const struct lens *lens = asked.question.lens.lens;
+    const struct task task = {.input = &asked, .run = job->run, .is_ideal = true};
+    const struct conjugate_question question = conjugate_question_of(&task, lens);
+    if (!paraxial_compile(lens, lens_primary_wavelength(lens), SECTION_Y, arena, &system, error)) {
+        return false;
+    }
+    paraxial_trace(&system, &trace);
+    if (conjugate_find(&system, &trace, &question, rays, error) == 0) {
+        return false;
+    }
+    const double object = rays[0].v.hi == 0 ? INFINITY : pair_divide(rays[0].y, rays[0].v).hi;
+    return conjugate_diagram(&asked, &system, object, &svg, error) &&
+           drawing_write(job, &svg, sink, error);
+}
+
+static const struct artifact artifacts[] = {
+    {ARTIFACT_OPTION("diagram", drawing_types,
+                     "draw the construction of the image by thin lenses or a mirror"),
+     .scope = ARTIFACT_OF_ANSWER, .check = diagram_check, .make = diagram_make},
+};
+
 static bool conjugate_makes_many(const void *data)
 {
     const struct conjugate_input *input = data;
@@ -496,6 +541,7 @@ static const struct example examples[] = {
     {"conjugate -f 8cm --then \"gap 14cm, f -9.5cm\" --object 12cm --steps", "two thin lenses"},
     {"conjugate --mirror concave -R 30cm --object 20cm", "a mirror"},
     {"conjugate -f 10cm --image -25cm", "a magnifier"},
+    {"conjugate -f 10cm --object 15cm --diagram rays.svg", "the construction as a drawing"},
     {"conjugate double-gauss --object 1m", "where the image is, and how large"},
     {"conjugate double-gauss --object 0.5m,1m,2m,inf --from front", "for several distances"},
     {"conjugate double-gauss -m -0.5 -N 4", "half life size, upside down as in a camera"},
@@ -514,6 +560,7 @@ const struct command command_conjugate = {
         "object and image anywhere, in any medium; focusing by moving the lens or changing gaps"),
     .run = conjugate_run,
     .makes_many = conjugate_makes_many,
+    COMMAND_MAKES(artifacts),
     .choose_sheet = conjugate_choose_sheet,
     .sheets = sheets,
     .plot = "magnification|image_principal_mm",

@@ -3,6 +3,7 @@
 #include "commands/lens/conjugate_ideal.h"
 
 #include "commands/tables.h"
+#include "draw/ray_diagram.h"
 
 /* Indexed by enum conjugate_from. */
 const struct word conjugate_froms[] = {
@@ -175,4 +176,25 @@ bool conjugate_make_ideal(const struct conjugate_input *input, struct conjugate_
         asked->magnification = NAN;
     }
     return true;
+}
+
+bool conjugate_diagram(const struct conjugate_input *input, const struct paraxial_system *system,
+                       double object, struct svg *svg, struct error *error)
+{
+    struct ray_diagram_element elements[RAY_DIAGRAM_MOST];
+    double z = 0;
+    for (size_t i = 0; i < system->count; i++) {
+        elements[i] = (struct ray_diagram_element){z, system->surfaces[i].power.hi};
+        z += system->surfaces[i].reduced.hi;
+    }
+    const bool is_mirror = input->ideal.mirror != MIRROR_NONE;
+    const char *title = input->question.lens.lens->title;
+    const struct ray_diagram diagram = {.title = title,
+                                        .elements = elements,
+                                        .count = system->count,
+                                        .is_mirror = is_mirror,
+                                        .object = object,
+                                        .height = isnan(input->height) ? 1 : input->height,
+                                        .has_height = !isnan(input->height)};
+    return ray_diagram_draw(&diagram, svg, error);
 }

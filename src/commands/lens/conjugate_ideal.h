@@ -7,6 +7,8 @@
 #include "commands/lens/lens_options.h"
 #include "optics/conjugates.h"
 
+struct svg;
+
 enum { FOCUS_BY_NOTHING, FOCUS_BY_LENS };
 
 enum { FROM_LENS = CONJUGATE_FROMS };
@@ -65,5 +67,15 @@ bool conjugate_make_ideal(const struct conjugate_input *input, struct conjugate_
  */
 void conjugate_fill_ideal(const struct conjugate_input *input, const struct lens *lens,
                           const char *step, struct conjugate_row *row);
+
+/*
+ * Draw how their rays make the image of an object.
+ *
+ * Given     system  the lenses of `input`, compiled
+ *           object  distance in front of the first, mm
+ * Errors    more lenses than a drawing shows; as ray_diagram_draw
+ */
+bool conjugate_diagram(const struct conjugate_input *input, const struct paraxial_system *system,
+                       double object, struct svg *svg, struct error *error);
 
 #endif
