@@ -21,7 +21,7 @@ static const struct option options[] = {
      .highest = INFINITY, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY,
      .help = "width of the card; default as much as the film sees"},
     {ASKED(depth_map), .name = "depth-map", .value = "FILE", .flags = OPTION_FILE,
-     .help = "how far from the sensor each pixel of the card is: .pfm or .exr in m, or .png"},
+     .help = "distance of each pixel of the card from the sensor: .pfm or .exr in m, or .png"},
     {MEASURE(depth, length, "m", "NEAR..FAR"), .name = "depth", .wants = "depth-map",
      .help = "distances that are white and black in a .png, linear in 1/distance"},
     {ASKED(hidden), .name = "hidden", .words = render_hidden, .fallback = "black",

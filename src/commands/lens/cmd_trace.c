@@ -67,7 +67,7 @@ static const struct option options[] = {
     {MEASURE(point, length, "mm", "X:Y:Z"), .name = "point",
      .help = "one ray that starts here, z from the first vertex; in place of a field"},
     {MEASURE(direction, number, NULL, "X:Y:Z"), .name = "direction",
-     .help = "of that ray, of any length; default 0:0:1"},
+     .help = "direction of that ray, of any length; default 0:0:1"},
     {COORDINATE(at[0]), .name = "x", .column = "x",
      .help = "the starting point as three numbers: x"},
     {COORDINATE(at[1]), .name = "y", .column = "y", .help = "its y"},

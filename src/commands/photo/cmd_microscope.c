@@ -43,7 +43,7 @@ static const struct option options[] = {
     {ASKED(immersion), REPEATED("immersion"), .words = media, .fallback = "auto",
      .excludes = "index", .value = "MEDIUM", .help = "what lies between objective and specimen"},
     {MEASURE(index, number, NULL, "INDEX"), REPEATED("index"), .lowest = 1, .highest = 5,
-     .help = "its refractive index"},
+     .help = "refractive index of the immersion medium"},
     {ASKED(eyepiece), REPEATED("eyepiece"), .value = "POWERx[/FN]",
      .help = "the eyepiece as it is marked, power and field number: 10x/22"},
     {MEASURE(field_number, length, "mm", "LENGTH"), .name = "field-number",

@@ -23,7 +23,7 @@ static const struct option options[] = {
      .help = "approximate number of rays per field; default 60 of models, several of quadratures"},
     {ASKED(degree), .name = "degree", .lowest = 1, .highest = RAY_POLYNOMIAL_DEGREE,
      .value = "DEGREE", .wants = "quantity!=photograph",
-     .help = "of the polynomial, odd; default 3, 5, 7, 9 and 11"},
+     .help = "degree of the polynomial, odd; default 3, 5, 7, 9 and 11"},
     {ASKED(terms), .name = "terms", .wants = "quantity!=photograph", .lowest = 1,
      .highest = RAY_POLYNOMIAL_TERMS, .value = "COUNT",
      .help = "terms of the polynomial, at most; default four times its degree"},
