@@ -11,10 +11,15 @@ lenscalc visual --telescope 1200 --diameter 200 --eyepiece 32,25,10,5 --apparent
 lenscalc visual --telescope 2032 -N 10 --obstruction 34% --exit-pupil 2mm --csv --digits 5
 lenscalc visual --diameter 203 --secondary 70mm --columns light_gain,limiting_magnitude
 lenscalc visual --telescope 1000 --diameter 100 --lens erfle-eyepiece
+lenscalc visual --telescope 1000 --diameter 100 --eyepiece 25mm,erfle-eyepiece,5..10:5
+printf 'eyepiece\n25mm\nerfle-eyepiece\nnone.lens\n' | lenscalc visual -f 1000 --diameter 100 --batch - --csv --columns power,eye_relief_mm --digits 6
 lenscalc visual --telescope 1000 --diameter 100 --lens erfle-eyepiece --barlow 2 --columns power,eye_relief
 lenscalc visual --diameter 150 --back-focus 55mm --filter-thickness 2mm,3mm --columns filter_thickness,back_focus_filtered
 lenscalc visual -f 2032 --diameter 8in --eyepiece 25 --reducer 0.63x --columns power,true_field,combined_focal
 lenscalc telescope -f 1200
+# what is printed is read
+lenscalc visual -f 1200 --diameter 200 --eyepiece 25,10 --apparent-field 52 --csv --digits 6 > rows.csv
+lenscalc visual --batch rows.csv --csv --digits 4 --columns telescope_mm,eyepiece_mm,power,true_field_deg,limiting_magnitude
 for wrong in "" "10" "8in f/6" "10x42 --at 500m" "-f 1200 --aperture 200mm" "10x42 6.5kg" "8x42 330ft" "8x42 330ft/3s" "8x42 --field 330ft" \
     "--telescope 1200 --diameter 200 --eyepiece own.lens" "--telescope 1200 --diameter 200 -N 5" \
     "--telescope 1200 --diameter 200 --eyepiece 25 --power 20" "10x42 --telescope 900" \

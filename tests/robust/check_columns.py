@@ -78,7 +78,7 @@ def check_command(checks, asked):
 # is another thing: each of its shots, as a row, begins one.
 FED = {"dof": [], "hyperfocal": [], "fov": [], "focus": [], "exposure": [], "flash": [],
        "motion": [], "stars": ["--pitch", "4um"], "diffraction": ["-f", "50"],
-       "equivalent": ["--sensor", "4/3"], "panorama": [], "visual": [], "microscope": []}
+       "equivalent": ["--sensor", "4/3"], "panorama": [], "microscope": []}
 
 
 def check_fed(checks, asked):

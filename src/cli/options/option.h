@@ -232,8 +232,8 @@ struct option_kind {
 extern const struct option_kind kind_quantity, kind_focal, kind_choice, kind_flag, kind_text,
     kind_count, kind_sensor, kind_coc, kind_loss, kind_film, kind_scene, kind_series, kind_glass,
     kind_interval, kind_lens, kind_lens_text, kind_wavelength, kind_vector, kind_pupil, kind_plane,
-    kind_target, kind_fields, kind_spectrum, kind_print, kind_pixels, kind_marking, kind_size,
-    kind_part;
+    kind_target, kind_fields, kind_spectrum, kind_print, kind_pixels, kind_marking, kind_eyepiece,
+    kind_size, kind_part;
 
 /* A sensor as the user named it. */
 struct sensor_value {
@@ -263,6 +263,12 @@ struct print_value {
     double viewing;         /* distance it is looked at from */
     double acuity;          /* of the eye, line pairs per mm at 25 cm */
     const char *criterion;  /* "print A2@1m", as typed */
+};
+
+/* An eyepiece: its focal length, or a real one as kind_lens reads it. */
+struct eyepiece_value {
+    double focal; /* mm; NaN: a real one, or not given */
+    struct lens_value lens;
 };
 
 /*
@@ -323,6 +329,7 @@ struct coc_value {
         struct print_value: &kind_print, \
         struct pixels_value: &kind_pixels, \
         struct marking_value: &kind_marking, \
+        struct eyepiece_value: &kind_eyepiece, \
         struct size_value: &kind_size, \
         struct part: &kind_part)
 

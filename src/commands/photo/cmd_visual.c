@@ -9,7 +9,8 @@
 
 struct visual_input {
     struct marking_value binoculars;
-    struct photo_lens_question eyepiece; /* a real one */
+    struct eyepiece_value eyepiece;
+    struct photo_lens_question lens; /* a real one by the usual option */
     struct visual_setting setting;
     double barlow, reducer; /* NaN = none */
     double field_stop, apparent_field, field, field_width, at;
@@ -37,13 +38,12 @@ static const struct option options[] = {
     {MEASURE(setting.fnumber, fnumber, NULL, "NUMBER"), .name = "aperture", .letter = 'N',
      .quantity = "f-number", .column = "fnumber", ABOVE_0,
      .no_number = "the diameter is --diameter 200mm", .help = "f-number of the telescope: f/6"},
-    {MEASURE(setting.eyepiece, length, "mm", "LENGTH"), REPEATED("eyepiece"), ABOVE_0,
-     .no_number = "a real eyepiece is --lens: a name of 'list lenses', or a file",
-     .help = "focal length of the eyepiece, or several: 25,10,5"},
-    {ASKED(eyepiece.lens), .name = "lens", .letter = 'l', .value = "LENS", .column = "lens_name",
+    {MEASURE(eyepiece, length, "mm", "LENGTH|LENS"), REPEATED("eyepiece"), ABOVE_0,
+     .help = "focal length of the eyepiece, or several: 25,10,5; or a real one as --lens has it"},
+    {ASKED(lens.lens), .name = "lens", .letter = 'l', .value = "LENS", .column = "lens_name",
      .flags = OPTION_FILE, .types = lens_types, .excludes = "eyepiece exit-pupil power",
      .help = "a real eyepiece, from the eye to its field stop: a name (list lenses), a file, or -"},
-    LENS_POSITION_OPTION(INPUT, eyepiece),
+    LENS_POSITION_OPTION(INPUT, lens),
     {MEASURE(barlow, ratio, NULL, "FACTOR"), REPEATED("barlow"), ABOVE_0,
      .wants = "telescope|aperture", .help = "factor of a Barlow lens: 2x"},
     {MEASURE(reducer, ratio, NULL, "FACTOR"), REPEATED("reducer"), ABOVE_0,
@@ -114,7 +114,7 @@ struct visual_row {
 #define KNOWN_ECHO  .flags = COLUMN_SPARSE | COLUMN_ECHO
 
 static const struct column columns[] = {
-    {SHOWN(real.title), .name = "lens", ASSUMED_WITH("lens", "lens"),
+    {SHOWN(real.title), .name = "lens", ASSUMED_WITH("lens eyepiece", "lens eyepiece"),
      .help = "title of the real eyepiece"},
     {SHOWN(real.position), .name = "position", ASSUMED_WITH("lens", "position lens"),
      .help = "its position; absent where there is only one"},
@@ -141,8 +141,9 @@ static const struct column columns[] = {
      .label = "magnification", .help = "angular magnification"},
     {LENGTH(setting.exit_pupil, "mm"), .name = "exit_pupil", KNOWN_BRIEF, .symbol = "ep",
      .repeats = "exit-pupil", .label = "exit pupil", .help = "diameter of the beam into the eye"},
-    {LENGTH(eye_relief, "mm"), .name = "eye_relief", WITH("lens") | COLUMN_SPARSE, .symbol = "er",
-     .label = "eye relief", .help = "exit pupil behind the last surface of the real eyepiece"},
+    {LENGTH(eye_relief, "mm"), .name = "eye_relief", WITH("lens eyepiece") | COLUMN_SPARSE,
+     .symbol = "er", .label = "eye relief",
+     .help = "exit pupil behind the last surface of the real eyepiece"},
     {ANGLE(field.true_field), .name = "true_field", KNOWN_BRIEF, .symbol = "tf",
      .label = "true field", .help = "full angle that is seen; by which rule is said below"},
     {ANGLE(field.true_by_ratio), .name = "true_field_ratio", KNOWN, .symbol = "tfr",
@@ -378,9 +379,7 @@ static bool visual_answer(const void *data, const struct photo_lens *eyepiece, s
         setting->power = input->binoculars.power;
         setting->diameter = input->binoculars.number;
     }
-    if (eyepiece->lens != NULL) {
-        setting->eyepiece = eyepiece->f;
-    }
+    setting->eyepiece = eyepiece->lens != NULL ? eyepiece->f : input->eyepiece.focal;
     if (!visual_solve(setting, error)) {
         return false;
     }
@@ -401,7 +400,10 @@ static bool visual_answer(const void *data, const struct photo_lens *eyepiece, s
 static bool visual_run(const void *data, struct run *run, struct error *error)
 {
     const struct visual_input *input = data;
-    struct photo_lens_question question = input->eyepiece;
+    struct photo_lens_question question = input->lens;
+    if (input->eyepiece.lens.lens != NULL) {
+        question.lens = input->eyepiece.lens;
+    }
     question.focal = (struct focal_value){NAN, NAN};
     if (input->binoculars.name != NULL && !is_given(input->binoculars.number)) {
         return fail(error, ERROR_USAGE, "{binoculars} '%s' lack the diameter: 10x42",
@@ -455,12 +457,12 @@ static const struct example examples[] = {
      "the eyepiece for an exit pupil of 2 mm"},
     {"visual 10x42 --field 6.5deg", "binoculars"},
     {"visual 8x42 --field-width 330ft --at 1000yd --eye-pupil 3mm", "and by day"},
-    {"visual --telescope 1000 --diameter 100 --lens erfle-eyepiece", "a real eyepiece"},
+    {"visual --telescope 1000 --diameter 100 --eyepiece erfle-eyepiece", "a real eyepiece"},
     {"visual --diameter 150 --back-focus 55mm --filter-thickness 3mm", "where a camera stands"},
     {NULL, NULL},
 };
 
-PHOTO_LENS_MAKES_MANY(eyepiece)
+PHOTO_LENS_MAKES_MANY(lens)
 
 const struct command command_visual = {
     .name = "visual",
