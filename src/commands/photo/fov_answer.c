@@ -430,6 +430,9 @@ bool fov_run(const void *data, struct run *run, struct error *error)
     if (input->telecentric) {
         return fov_telecentric(input, run, error);
     }
+    if (fov_is_bare_line(input)) {
+        return fov_bare_line(input, run, error);
+    }
     if (has_camera_lens(input)) {
         own.lens.focal.length = input->sensor.focal;
     }

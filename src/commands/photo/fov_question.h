@@ -80,6 +80,12 @@ bool fov_fill_pixels(const struct fov_input *input, struct fov_row *row, struct 
 /* Answer for a telecentric lens, whose field is the sensor over its magnification. */
 bool fov_telecentric(const struct fov_input *input, struct run *run, struct error *error);
 
+/* Is it a line of so many pixels over a field, of which nothing else is known? */
+bool fov_is_bare_line(const struct fov_input *input);
+
+/* Answer for it: pixels on the subject and line rate follow from the field alone. */
+bool fov_bare_line(const struct fov_input *input, struct run *run, struct error *error);
+
 /* The `run` of the command. */
 bool fov_run(const void *data, struct run *run, struct error *error);
 

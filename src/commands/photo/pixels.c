@@ -64,6 +64,10 @@ bool pixels_settle(const struct pixels_question *question, struct sensor_value *
                    struct arena *arena, struct warnings *doubts, struct error *error)
 {
     const bool is_counted = pixels_given(&question->pixels), has_pitch = !isnan(question->pitch);
+    if (question->is_line && question->pixels.high > 1) {
+        return fail(error, ERROR_USAGE,
+                    "{--line-scan} is one line: {--pixels} is the number across alone");
+    }
     if (is_counted && has_pitch) {
         return size_of_pixels(question, sensor, arena, error);
     }

@@ -32,7 +32,7 @@ static inline bool pixels_given(const struct pixels_value *pixels)
  *           doubts    of pixels that are not square; null: nobody listens
  * Formula   pitch = width/number across, sqrt(width height/number) of a total; size = number pitch
  * Errors    ERROR_USAGE: all three, pixels without another, one side of an area; a line without
- *           pixels
+ *           pixels, or with several rows
  */
 bool pixels_settle(const struct pixels_question *question, struct sensor_value *sensor,
                    struct arena *arena, struct warnings *doubts, struct error *error);
