@@ -43,5 +43,6 @@ for then in "14cm, -9.5cm" "gap 14cm" "gap 14cm, gap 2cm, f 5cm" "gap -1cm, f 5c
 done
 refused -f 8cm --steps --object 12cm
 refused -f 8cm --object 12cm -N 4
+refused -f 8cm --object 12cm --gap 14cm
 refused double-gauss -f 8cm --object 12cm
 refused double-gauss --object 12cm -m 2

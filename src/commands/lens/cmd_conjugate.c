@@ -414,7 +414,8 @@ static bool conjugate_check_given(const struct conjugate_input *input, struct er
     int given = !isnan(input->object) + !isnan(input->image) + !isnan(input->magnification);
     if (given > 1) {
         return fail(error, ERROR_USAGE,
-                    "{--object}, {--image} and {--magnification} exclude each other beside a lens");
+                    "{--object}, {--image} and {--magnification} exclude each other beside a lens "
+                    "or its focal length");
     }
     if (input->from == CONJUGATE_FROM_SENSOR && !isnan(input->image)) {
         return fail(error, ERROR_USAGE,

@@ -126,8 +126,9 @@ static bool conjugate_check_ideal(const struct conjugate_input *input, struct er
         {question->section == SECTION_X, "section"}, {input->gap != NULL, "gap"},
         {input->focus_by != FOCUS_BY_NOTHING, "focus-by"});
     if (other != NULL) {
-        return fail(error, ERROR_USAGE, "{--%s} is for {--lens}: an ideal lens has no such thing",
-                    other);
+        fail(error, ERROR_USAGE, "{--%s} is for {--lens}: an ideal lens has no such thing", other);
+        return input->gap != NULL &&
+               error_hint(error, "the gap to a lens behind it: {--then} \"gap 14cm, f -9.5cm\"");
     }
     if (input->ideal.mirror == MIRROR_NONE) {
         return true;
