@@ -207,6 +207,28 @@ double dof_hyperfocal_of_near(double f, double P, double Nc, double near)
     return 2 * near - f * (1 - 1 / P);
 }
 
+bool dof_blur_at(const struct dof_setting *a, double x, double *blur, struct error *error)
+{
+    const double pupil = a->f * (1 - 1 / a->P), pupil_diameter = a->f / a->N;
+    if (!(x > pupil)) {
+        return fail(error, ERROR_DOMAIN,
+                    "a point %.6g mm from the front principal plane lies behind the entrance "
+                    "pupil, at %.6g mm: it is not in the picture",
+                    x, pupil);
+    }
+    /* m |x - s|/(x - q); s and x are not subtracted from infinity */
+    double part;
+    if (isinf(a->s)) {
+        part = isinf(x) ? 0 : a->f / (x - pupil);
+    } else {
+        const double m = a->f / (a->s - a->f);
+        part = isinf(x) ? m : m * (fabs(x - a->s) / (x - pupil));
+    }
+    *blur = pupil_diameter * part;
+    return *blur < INFINITY ||
+           fail(error, ERROR_DOMAIN, "the blur of a point at %.6g mm is too large for a number", x);
+}
+
 void dof_vergences(const struct dof_setting *a, double N, double *near, double *far)
 {
     double m = a->f / (a->s - a->f), e = N * a->c / a->f;

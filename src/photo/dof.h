@@ -127,6 +127,20 @@ double dof_near_at_hyperfocal(double f, double N, double c, double P);
 double dof_hyperfocal_of_near(double f, double P, double Nc, double near);
 
 /*
+ * Blur disc of a point that is not in focus.
+ *
+ * Given     setting  checked; its c is not used
+ *           x        the point from the front principal plane, mm; may be inf
+ *           blur     receives the diameter of its disc on the sensor, mm; 0 for x = s
+ * Formula   b = (f/N) m |x - s|/(x - q), q = f (1 - 1/P), f m/N for x = inf
+ * Source    as dof_compute: the entrance pupil f/N, seen from the point in the plane s, imaged with
+ *           m; near and far limit are where b = c
+ * Errors    a point that lies behind the entrance pupil; a disc beyond the range of double
+ * Limits    Geometric; a point behind the lens's own near limit is not looked for
+ */
+bool dof_blur_at(const struct dof_setting *setting, double x, double *blur, struct error *error);
+
+/*
  * Reciprocal limits of the same focus at another f-number, beyond infinity too.
  *
  * Given     setting  checked; its N is not used

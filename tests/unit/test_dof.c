@@ -90,6 +90,43 @@ static void check_at_hyperfocal(const struct dof *d)
     CHECK(d->total > 1e12);
 }
 
+/* Of a point so far away, |x - s| being as uncertain as both are. */
+static void check_blur_at(const struct dof_setting *a, double x, const char *what)
+{
+    struct error error;
+    double blur, q = a->f * (1 - 1 / a->P);
+    if (!(x > q)) {
+        CHECK(!dof_blur_at(a, x, &blur, &error));
+        CHECK(error.code == ERROR_DOMAIN);
+        return;
+    }
+    CHECK(dof_blur_at(a, x, &blur, &error));
+    double focus = a->s < INFINITY ? a->s / (a->s - a->f) : 1;
+    double apart = a->s < INFINITY && x < INFINITY ? (x + a->s) / fabs(x - a->s) : 1;
+    double condition = 16 * (focus + apart + (fabs(x) + fabs(q)) / (x - q));
+    if (condition * DBL_EPSILON < 1e-3) {
+        CHECK_RELATIVE(blur, a->c, condition * DBL_EPSILON, what);
+    }
+}
+
+/* The limits are where the blur is c; that at infinity is a column. */
+static void check_blur(char *const cell[], const struct dof_setting *a)
+{
+    struct error error;
+    double blur, near = number(cell[NEAR]), far = number(cell[FAR]);
+    CHECK(dof_blur_at(a, INFINITY, &blur, &error));
+    check_column(cell, BLUR_INF, blur, 4, a->s < INFINITY ? a->s / (a->s - a->f) : 1);
+    if (a->s < INFINITY) {
+        CHECK(dof_blur_at(a, a->s, &blur, &error) && blur == 0);
+    }
+    if (a->c > 0 && near != a->s) {
+        check_blur_at(a, near, cell[ID]);
+    }
+    if (a->c > 0 && far < INFINITY && strcmp(cell[CLASS], "at_H") != 0) {
+        check_blur_at(a, far, cell[ID]);
+    }
+}
+
 static void check_row(char *const cell[])
 {
     struct dof_setting a = {number(cell[F_MM]), number(cell[N_]), number(cell[C_MM]),
@@ -112,6 +149,7 @@ static void check_row(char *const cell[])
     double focus = a.s < INFINITY ? a.s / (a.s - a.f) : 1;
     double kn = isnan(number(cell[KAPPA_NEAR])) ? 4 : number(cell[KAPPA_NEAR]);
     double kf = isnan(number(cell[KAPPA_FAR])) ? 4 : number(cell[KAPPA_FAR]);
+    check_blur(cell, &a);
     check_column(cell, M, d.magnification, 4, focus);
     check_column(cell, V, d.image, 4, focus);
     check_column(cell, NEFF, d.working_fnumber, 4, focus);

@@ -41,6 +41,12 @@ static const struct option options[] = {
     {MEASURE(overlap, ratio, NULL, "FRACTION"), .name = "overlap", .wants = "stack", .lowest = 0,
      .highest = 0.95, .fallback = "0.2",
      .help = "overlap of successive shots, as a fraction of the depth of field, for --stack"},
+    {MEASURE(blur_at, length, "m", "LENGTH"), .name = "blur-at", .quantity = "background",
+     .column = "background", ABOVE_0_OR_INFINITE, .excludes = "blur-behind",
+     .help = "blur disc of a background at this distance: in mm, % of the picture and pixels"},
+    {MEASURE(blur_behind, length, "m", "LENGTH"), .name = "blur-behind",
+     .quantity = "background behind the subject", ABOVE_0_OR_INFINITE,
+     .help = "the same of a background this far behind the subject"},
     {ASKED(other), .name = "equal-on", .value = "NAME|WxH",
      .help = "focal length and f-number for the same picture on another format"},
     ATTACHMENT_OPTIONS(attached),
@@ -61,6 +67,7 @@ struct dof_row {
     const char *lens_focus;
     double t_stop, working_t_stop, squeeze;
     struct anamorphic across;
+    struct dof_background background;
     double sensor_distance, sensor_near, sensor_far; /* from the sensor */
     double wavelength;                               /* NaN where it does not matter */
     const char *sensor, *criterion, *model, *from;
@@ -124,6 +131,20 @@ static const struct column columns[] = {
      .label = "depth of focus", .help = "tolerance of the sensor's place, both sides together"},
     {LENGTH(dof.blur_at_infinity, "mm"), .name = "blur_at_infinity", .symbol = "b",
      .label = "blur of the background", .help = "blur disc of a point at infinity, on the sensor"},
+    {LENGTH(background.distance, "m"), .name = "background",
+     WITH("blur-at blur-behind") | COLUMN_INFINITE, .label = "background",
+     .help = "distance of what --blur-at or --blur-behind asks about"},
+    {LENGTH(background.blur, "mm"), .name = "background_blur", BRIEF_WITH("blur-at blur-behind"),
+     .symbol = "bx", .label = "its blur", .help = "its blur disc on the sensor"},
+    {MEASURED(background.of_diagonal, ratio, "percent"), .name = "background_blur_diagonal",
+     BRIEF_WITH("blur-at blur-behind"), .label = "its blur, of the diagonal",
+     .help = "its blur disc over the diagonal of the picture"},
+    {MEASURED(background.of_width, ratio, "percent"), .name = "background_blur_width",
+     BRIEF_WITH("blur-at blur-behind"), .label = "its blur, of the width",
+     .help = "its blur disc over the width of the picture"},
+    {SHOWN(background.pixels), .name = "background_blur_pixels",
+     .flags = COLUMN_EXTRA | COLUMN_SPARSE, .with = "blur-at blur-behind",
+     .label = "its blur in pixels", .help = "with --pitch, or a camera of known pixels"},
     {SHOWN(dof.working_fnumber), .name = "working_fnumber", .symbol = "Nw",
      .label = "working f-number", .help = "f-number that exposes, N (1 + m/P)"},
     {SHOWN(working_t_stop), .name = "working_t_stop", WITH("t-stop lens"), .symbol = "Tw",
@@ -173,6 +194,10 @@ static const struct column columns[] = {
     {LENGTH(setting.s, "m"), .name = "principal_distance", .flags = COLUMN_EXTRA | COLUMN_INFINITE,
      .symbol = "s", .label = "distance from the principal plane",
      .help = "distance of the subject from the front principal plane"},
+    {LENGTH(background.principal, "m"), .name = "principal_background",
+     .flags = COLUMN_EXTRA | COLUMN_INFINITE, .symbol = "x",
+     .label = "background from the principal plane",
+     .help = "distance of the background from the front principal plane"},
     PHOTO_LENS_WARNING_COLUMN(real),
 };
 
@@ -192,10 +217,10 @@ static bool dof_fill_row(const struct dof_question *input, const struct attached
     row->sensor_distance = row->distance + to_sensor;
     row->sensor_near = row->dof.near + to_sensor;
     row->sensor_far = row->dof.far + to_sensor;
+    double offset = 0;
     if (input->lens.from != FROM_PRINCIPAL) {
-        double offset = input->lens.from == FROM_SENSOR
-                            ? to_sensor
-                            : distance_offset(&row->setting, &lens->measuring);
+        offset = input->lens.from == FROM_SENSOR ? to_sensor
+                                                 : distance_offset(&row->setting, &lens->measuring);
         row->distance += offset;
         row->dof.near += offset;
         row->dof.far += offset;
@@ -218,11 +243,15 @@ static bool dof_fill_row(const struct dof_question *input, const struct attached
     row->working_t_stop = row->t_stop * attached->fnumber_factor * exposes;
     row->squeeze = input->squeeze;
     row->across = (struct anamorphic){NAN, NAN, NAN, NAN};
+    row->background = dof_background_none;
+    const bool has_background = !isnan(input->blur_at) || !isnan(input->blur_behind);
     return (isnan(input->t_stop) ||
             transmittance_from_t_stop(row->fnumber, input->t_stop, &transmittance, error)) &&
            (isnan(input->squeeze) ||
             anamorphic_view(&row->setting, &row->dof, &input->sharp.sensor.size, input->squeeze,
-                            &row->across, error));
+                            &row->across, error)) &&
+           (!has_background ||
+            dof_question_background(input, &row->setting, offset, &row->background, error));
 }
 
 /* The same picture on another format, if that is asked for. */
@@ -412,6 +441,9 @@ static const struct explanation explanations[] = {
     {"depth_of_focus blur_rule", "t = way between the films on which {s} blurs {c}", "exact rays",
      NULL},
     {"blur_at_infinity blur_rule", "b = blur on the film of {s}", "exact rays", NULL},
+    {"background_blur", "bx = {f} {m}/{N} abs({x} - {s})/({x} - {f} (1 - 1/{P}))",
+     "similar triangles at the entrance pupil, [Ray02]; f m/N where x is infinite",
+     "geometric: aberrations and diffraction apart"},
     {"working_fnumber", "Nw = {N} (1 + {m}/{P})", "[Ray02]", NULL},
     {"working_t_stop", "Tw = {T} {Nw}/N", "[IsoAperture08], with N as marked",
      "light only: what is sharp goes by the f-number"},
@@ -441,6 +473,7 @@ static const struct example examples[] = {
     {"dof -f 50 -N 2.8..16 -s 1,2,5,10 --table s,N", "a table to print"},
     {"dof -f 35mm --near 2m --far 10m", "which distance and f-number make 2 m to 10 m sharp"},
     {"dof --lens double-gauss -N 4 -s 2m", "a real lens, with distances from the sensor too"},
+    {"dof -f 85 -N 1.8 -s 2m --blur-at 10m", "how blurred the background is"},
     {"dof -f 100mm -N 8 --near 30cm --far 33cm --stack", "a focus stack"},
     {"dof -f 100mm -N 5.6 -m 1:1 --dof 5mm --stack", "one that begins at life size"},
     {"dof -f 50mm -N 8 --tube 25mm", "with a tube, the lens itself focused at infinity"},

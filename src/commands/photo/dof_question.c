@@ -87,6 +87,7 @@ static bool dof_question_check_rays(const struct dof_question *input, struct err
     const char *other = SAID_FIRST(
         {input->stack, "stack"}, {input->model != DOF_EXACT, "model"},
         {attachments_any(&input->attached), "tube, --close-up, --converter"},
+        {!isnan(input->blur_at), "blur-at"}, {!isnan(input->blur_behind), "blur-behind"},
         {input->other.name != NULL, "equal-on"}, {!isnan(input->squeeze), "squeeze"},
         {!isnan(input->t_stop), "t-stop"}, {!isnan(t->near), "near"}, {!isnan(t->far), "far"},
         {!isnan(t->total), "dof"}, {!isnan(t->hyperfocal), "hyperfocal"});
@@ -120,6 +121,28 @@ bool dof_question_solve(const struct dof_question *input, const struct attached_
                 : distance_solve(setting, &input->targets, &attached->lens->measuring, error)) &&
            photo_lens_check_subject(attached->lens, setting->s, error) &&
            attached_check_reach(attached, setting->s, error);
+}
+
+/* -------- what is not in focus -------- */
+
+const struct dof_background dof_background_none = {NAN, NAN, NAN, NAN, NAN, NAN};
+
+bool dof_question_background(const struct dof_question *input, const struct dof_setting *setting,
+                             double offset, struct dof_background *background, struct error *error)
+{
+    const struct sensor *sensor = &input->sharp.sensor.size;
+    const bool is_behind = !isnan(input->blur_behind);
+    const double x = is_behind ? setting->s + input->blur_behind : input->blur_at - offset;
+    struct dof_background *all = background;
+    if (!dof_blur_at(setting, x, &all->blur, error)) {
+        return error_prefix(error, "{--%s}: ", is_behind ? "blur-behind" : "blur-at");
+    }
+    all->principal = x;
+    all->distance = x + offset;
+    all->of_diagonal = all->blur / sensor_diagonal(sensor);
+    all->of_width = all->blur / sensor->width;
+    all->pixels = all->blur / sharpness_pitch(&input->sharp);
+    return true;
 }
 
 /* -------- the scale of a barrel -------- */

@@ -23,7 +23,29 @@ struct dof_question {
     struct sensor_value other;
     struct attachments attached;
     double squeeze, t_stop;
+    double blur_at, blur_behind; /* a point from where distances are measured, or the subject */
 };
+
+/* A point out of focus, and how blurred it is; NaN = not asked for. */
+struct dof_background {
+    double principal;             /* distance from the front principal plane, mm */
+    double distance;              /* as distances are measured, mm */
+    double blur;                  /* diameter on the sensor, mm */
+    double of_diagonal, of_width; /* as parts of those of the sensor */
+    double pixels;
+};
+
+extern const struct dof_background dof_background_none;
+
+/*
+ * The point that --blur-at or --blur-behind names.
+ *
+ * Given     setting  solved
+ *           offset   from the front principal plane to where distances are measured from, mm
+ * Errors    ERROR_USAGE: beside --exact; as dof_blur_at
+ */
+bool dof_question_background(const struct dof_question *input, const struct dof_setting *setting,
+                             double offset, struct dof_background *background, struct error *error);
 
 /* enum photo_lens_use: a real lens's own f-number does not count where that is what is wished. */
 int dof_question_use(const struct dof_question *input);
