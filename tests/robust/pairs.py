@@ -113,7 +113,7 @@ VALUES = {
     "viewing": "400mm", "acuity": "7", "wavelength": "480nm", "pupil": "1.3", "from": "front",
     "model": "merklinger", "near": "2m", "far": "10m", "dof": "1m", "hyperfocal": "30m",
     "magnification": "1:3", "overlap": "0.4", "equal-on": "4/3", "close-up": "2", "tube": "12mm",
-    "converter": "1.4", "crop/fov": "1.5", "crop/equivalent": "1.5", "squeeze": "1.8", "t-stop": "6.3", "criterion": "energy80",
+    "converter": "1.4", "blur-at": "5m", "blur-behind": "4m", "own": "ND8,ND64", "crop/fov": "1.5", "crop/equivalent": "1.5", "squeeze": "1.8", "t-stop": "6.3", "criterion": "energy80",
     "projection": "equisolid", "horizontal": "40deg", "vertical": "30deg", "diagonal": "50deg",
     "field-width": "2m", "field-height": "1.5m", "field-diagonal": "2.5m", "altitude": "60m",
     "gsd": "2cm", "image": "52mm", "sensor-distance": "2.6m", "hiatus": "3mm", "front": "20mm",

@@ -230,10 +230,10 @@ struct option_kind {
 #define OPTION_NAMED(S, member) .is_named = true, .name_at = offsetof(S, member)
 
 extern const struct option_kind kind_quantity, kind_focal, kind_choice, kind_flag, kind_text,
-    kind_count, kind_sensor, kind_coc, kind_loss, kind_film, kind_scene, kind_series, kind_glass,
-    kind_interval, kind_lens, kind_lens_text, kind_wavelength, kind_vector, kind_pupil, kind_plane,
-    kind_target, kind_fields, kind_spectrum, kind_print, kind_pixels, kind_marking, kind_eyepiece,
-    kind_size, kind_part;
+    kind_count, kind_sensor, kind_coc, kind_loss, kind_filters, kind_film, kind_scene, kind_series,
+    kind_glass, kind_interval, kind_lens, kind_lens_text, kind_wavelength, kind_vector, kind_pupil,
+    kind_plane, kind_target, kind_fields, kind_spectrum, kind_print, kind_pixels, kind_marking,
+    kind_eyepiece, kind_size, kind_part;
 
 /* A sensor as the user named it. */
 struct sensor_value {
@@ -312,6 +312,7 @@ struct coc_value {
         struct sensor_value: &kind_sensor,                                                         \
         struct coc_value: &kind_coc,                                                               \
         struct loss_value: &kind_loss,                                                             \
+        struct filters_value: &kind_filters,                                                       \
         struct film_value: &kind_film,                                                             \
         struct scene_value: &kind_scene,                                                           \
         struct series_value: &kind_series,                                                         \

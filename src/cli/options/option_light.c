@@ -106,6 +106,17 @@ static bool read_neutral(const struct option *option, struct text piece, double 
     if (filter_ends_with(number, "stop") || filter_ends_with(number, "stops")) {
         return filter_stops(option, number, stops, error);
     }
+    const char last = number.start[number.length - 1];
+    if ((last == 'k' || last == 'K') && number.length > 1) { /* ND64k, ND100K */
+        struct text thousands = {number.start, number.length - 1};
+        double factor;
+        if (!filter_number(option, piece, thousands, &dimension_number, &factor, error)) {
+            return false;
+        }
+        *stops = stops_from_factor(1000 * factor);
+        return (factor >= 1 && factor <= 1e27) ||
+               bad_filter(option, piece, "thousands of a filter factor are 1 to 1e27", error);
+    }
     if (memchr(number.start, '.', number.length) == NULL) {
         return read_factor(option, piece, number, stops, error);
     }
@@ -194,6 +205,31 @@ static bool read_loss(const struct reader *reader, const struct option *option, 
     sum.name = arena_printf(reader->arena, "%.*s (%.4g stops)", text_shown(text_trim(text)),
                             text_trim(text).start, sum.stops);
     *(struct loss_value *)member = sum;
+    return true;
+}
+
+static bool read_filters(const struct reader *reader, const struct option *option, struct text text,
+                         void *member, struct error *error)
+{
+    enum { MOST_OWNED = 32 };
+    struct loss_value *items = ARENA_ARRAY(reader->arena, MOST_OWNED, struct loss_value);
+    struct text rest = text_trim(text);
+    size_t count = 0;
+    do {
+        const struct text piece = text_trim(text_cut(&rest, ','));
+        if (count == MOST_OWNED) {
+            return fail(error, ERROR_DOMAIN, "%s has more than %d filters", CALLED(option),
+                        (int)MOST_OWNED);
+        }
+        if (!read_one_filter(reader, option, piece, &items[count], error)) {
+            return false;
+        }
+        if (!(items[count].stops > 0)) {
+            return bad_filter(option, piece, "a filter of 0 stops takes no light", error);
+        }
+        items[count++].name = arena_string(reader->arena, piece.start, piece.length);
+    } while (rest.start != NULL && rest.length > 0);
+    *(struct filters_value *)member = (struct filters_value){items, count};
     return true;
 }
 
@@ -321,6 +357,13 @@ const struct option_kind kind_loss = {
     .is_list = true,
     .read = read_loss,
     OPTION_NAMED(struct loss_value, name),
+    .reads = READS_LENSDB,
+};
+
+const struct option_kind kind_filters = {
+    .name = "filters",
+    .size = sizeof(struct filters_value),
+    .read = read_filters,
     .reads = READS_LENSDB,
 };
 

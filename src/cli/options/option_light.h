@@ -16,6 +16,12 @@ struct loss_value {
     const char *name; /* as typed, with the stops; null = not given */
 };
 
+/* Filters that somebody has: ND8,ND64,ND1000. */
+struct filters_value {
+    const struct loss_value *items; /* null = not given; names as typed, without stops */
+    size_t count;
+};
+
 /* A film and how it fails in long exposures. */
 struct film_value {
     const struct reciprocity *model; /* null = not given */

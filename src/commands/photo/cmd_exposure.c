@@ -51,6 +51,11 @@ static const struct option options[] = {
      .help = "frames per second"},
     {MEASURE(metered, time, "s", "TIME"), REPEATED("metered"), .quantity = "metered time", ABOVE_0,
      .help = "time metered without the --filter: gives the time to set with it"},
+    {ASKED(propose), .name = "propose", .wants = "time", .excludes = "equivalent",
+     .help =
+         "which filters, up to three on each other, make --time of a shorter one: one row each"},
+    {ASKED(own), .name = "own", .value = "FILTERS", .wants = "propose",
+     .help = "the filters there are, for --propose: ND8,ND64,ND1000 (otherwise the usual ones)"},
     {ASKED(film), REPEATED("film"), .value = "NAME",
      .help = "corrects long times for reciprocity failure; see 'list films'"},
     {MEASURE(corrected_time, time, "s", "TIME"), .name = "corrected-time",
@@ -92,6 +97,13 @@ static const struct option options[] = {
 static const struct column columns[] = {
     PHOTO_LENS_COLUMNS(real),
     PHOTO_LENS_WAVELENGTH_COLUMN(real),
+    {SHOWN(proposed), .name = "filters", BRIEF_WITH("propose"), .label = "filters to put on",
+     .help = "neutral-density filters that come near the wanted time"},
+    {TIME(wanted), .name = "wanted", WITH("propose") | COLUMN_ECHO, .label = "wanted time",
+     .help = "as --time has it"},
+    {STOPS(longer), .name = "longer", BRIEF_WITH("propose"), .symbol = "dt",
+     .label = "longer (+) or shorter (-) than wanted",
+     .help = "the time with these filters over the wanted one, in stops"},
     {TIME(metered), .name = "metered", ECHO_WITH("metered") | COLUMN_BRIEF, .symbol = "tm",
      .label = "metered time", .help = "as metered without filter"},
     {SHOWN(x.N), .name = "fnumber", BRIEF | COLUMN_ECHO | COLUMN_SPARSE, .symbol = "N",
@@ -271,6 +283,63 @@ static bool shows_labels(const struct run *run)
            run_shows(run, offsetof(struct exposure_row, residual));
 }
 
+/* Answer one question, its lens and light taken. */
+static bool exposure_fill_row(const struct exposure_input *input, const struct photo_lens *lens,
+                              const struct by_rays_row *rays, struct run *run,
+                              struct exposure_row *row, struct error *error)
+{
+    const struct lamps *lamps = &input->lamps;
+    bool blank = !(isnan(lamps->kelvin) && isnan(lamps->balance) && isnan(lamps->mains)) &&
+                 !exposure_is_asked(input);
+    if (!(blank ? exposure_blank(input, row, error) : exposure_answer(input, row, error)) ||
+        !lamps_answer(lamps, input->filter.mired, row->x.t, input->frame_rate, run, &row->lamps,
+                      error)) {
+        return false;
+    }
+    if (!blank && shows_labels(run)) {
+        exposure_label(input, row);
+    }
+    row->real = *lens->real;
+    row->pupil = lens->P;
+    row->spectrum = rays->spectrum;
+    const char *traced = input->fresnel ? "rays of the lens, its faces uncoated"
+                                        : "rays of the lens, without loss in glass and faces";
+    row->traced = input->lens.rays.exact ? traced : NULL;
+    if (!isnan(row->time_to_set)) {
+        char words[SPOKEN_LENGTH];
+        spoken_time(words, row->time_to_set, 3);
+        row->timer = arena_string(run->arena, words, strlen(words));
+    }
+    return true;
+}
+
+/* One row for each stack of filters. */
+static bool propose_filters(const struct exposure_input *input, const struct photo_lens *lens,
+                            const struct by_rays_row *rays, struct run *run, struct error *error)
+{
+    struct exposure_input questions[NEUTRAL_STACKS];
+    const char *proposed[NEUTRAL_STACKS];
+    size_t count;
+    if (!exposure_propose(input, run->arena, questions, proposed, &count, error)) {
+        return false;
+    }
+    for (size_t i = 0; i < count; i++) {
+        struct exposure_row row;
+        if (!exposure_fill_row(&questions[i], lens, rays, run, &row, error)) {
+            return false;
+        }
+        const double time = isnan(row.corrected_time) ? row.x.t : row.corrected_time;
+        row.proposed = proposed[i];
+        row.filter = input->filter.name; /* that was on already */
+        row.wanted = input->given.t;
+        row.longer = log2(time / row.wanted);
+        if (!run_emit(run, &row)) {
+            return true;
+        }
+    }
+    return true;
+}
+
 static bool exposure_row_answer(const void *data, const struct photo_lens *lens, struct run *run,
                                 struct error *error)
 {
@@ -283,27 +352,11 @@ static bool exposure_row_answer(const void *data, const struct photo_lens *lens,
         return false;
     }
     own.lens.pupil = lens->P;
-    const struct lamps *lamps = &input->lamps;
-    bool blank = !(isnan(lamps->kelvin) && isnan(lamps->balance) && isnan(lamps->mains)) &&
-                 !exposure_is_asked(input);
-    if (!(blank ? exposure_blank(input, &row, error) : exposure_answer(input, &row, error)) ||
-        !lamps_answer(lamps, input->filter.mired, row.x.t, input->frame_rate, run, &row.lamps,
-                      error)) {
+    if (input->propose) {
+        return propose_filters(input, lens, &rays, run, error);
+    }
+    if (!exposure_fill_row(input, lens, &rays, run, &row, error)) {
         return false;
-    }
-    if (!blank && shows_labels(run)) {
-        exposure_label(input, &row);
-    }
-    row.real = *lens->real;
-    row.pupil = lens->P;
-    row.spectrum = rays.spectrum;
-    const char *traced = input->fresnel ? "rays of the lens, its faces uncoated"
-                                        : "rays of the lens, without loss in glass and faces";
-    row.traced = input->lens.rays.exact ? traced : NULL;
-    if (!isnan(row.time_to_set)) {
-        char words[SPOKEN_LENGTH];
-        spoken_time(words, row.time_to_set, 3);
-        row.timer = arena_string(run->arena, words, strlen(words));
     }
     if (!input->equivalent) {
         run_emit(run, &row);
@@ -339,7 +392,7 @@ static bool exposure_run(const void *data, struct run *run, struct error *error)
 static bool exposure_makes_many(const void *data)
 {
     const struct exposure_input *input = data;
-    return input->equivalent || photo_lens_makes_many(&input->lens);
+    return input->equivalent || input->propose || photo_lens_makes_many(&input->lens);
 }
 
 PHOTO_LENS_VARIES(lens)
@@ -383,6 +436,7 @@ static const struct example examples[] = {
     {"exposure -N 5.6 --ev 12 --filter ND3.0+polarizer", "through two filters"},
     {"exposure --lens cooke-triplet-50 --ev 12 -m 1:2", "a real lens wide open, close up"},
     {"exposure --metered 1/125 --filter ND1000", "the time to set behind a ten-stop filter"},
+    {"exposure --metered 1/125 -t 30s --propose", "the filters that make 30 s of 1/125 s"},
     {"exposure --metered 1/4 --filter 10stops --film \"HP5 Plus\"",
      "corrected for reciprocity failure, for a timer"},
     {"exposure -N 22 --ev 5 --film \"HP5 Plus\"",

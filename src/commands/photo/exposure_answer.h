@@ -7,6 +7,7 @@
 #include "cli/options/option_light.h"
 #include "commands/photo/photo_lens.h"
 #include "photo/exposure.h"
+#include "photo/neutral.h"
 
 #include <stdbool.h>
 
@@ -40,6 +41,8 @@ struct exposure_input {
     bool equivalent;
     struct photo_lens_question lens;
     struct lamps lamps;
+    bool propose; /* which filters make the time so long */
+    struct filters_value own;
     bool fresnel; /* with what its faces reflect */
 };
 
@@ -60,10 +63,28 @@ struct exposure_row {
     const char *traced, *spectrum; /* by which rays the T-stop is; null: by none */
     const char *speed, *filter, *film, *film_source, *scene, *scene_source;
     struct lamp_row lamps; /* filled in by the command */
+    /* of a question which filters to put on */
+    const char *proposed;
+    double wanted, longer; /* s, stops */
 };
 
 /* Is an exposure asked for at all, or only what lamps do, perhaps in a given time? */
 bool exposure_is_asked(const struct exposure_input *input);
+
+/*
+ * The questions with filters put on that come nearest to the wanted time, --time, from both sides.
+ *
+ * Given     input      what is left to be found without --time is the time
+ *           arena      of what is found
+ *           questions  receives them, each to be answered by exposure_answer
+ *           proposed   receives the filters of each
+ *           count      receives their number, 1 to NEUTRAL_STACKS
+ * Errors    ERROR_USAGE: no --time, or nothing to find it by; ERROR_DOMAIN: the time is as long
+ *           without a filter; as exposure_answer and neutral_stacks
+ */
+bool exposure_propose(const struct exposure_input *input, struct arena *arena,
+                      struct exposure_input questions[NEUTRAL_STACKS],
+                      const char *proposed[NEUTRAL_STACKS], size_t *count, struct error *error);
 
 /* A row without an exposure but its time. Errors as shutter_solve. */
 bool exposure_blank(const struct exposure_input *input, struct exposure_row *row,
