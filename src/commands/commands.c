@@ -7,6 +7,7 @@ extern const struct command command_exposure, command_flash, command_bracket, co
     command_stars;
 extern const struct command command_focus, command_diffraction, command_equivalent;
 extern const struct command command_visual, command_microscope;
+extern const struct command command_pinhole;
 extern const struct command command_tilt, command_panorama, command_timelapse;
 extern const struct command command_survey, command_projector;
 extern const struct command command_refract, command_lensmaker;
@@ -35,6 +36,7 @@ const struct command *const commands[] = {
     &command_stars,
     &command_diffraction,
     &command_equivalent,
+    &command_pinhole,
     &command_tilt,
     &command_panorama,
     &command_timelapse,

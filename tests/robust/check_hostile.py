@@ -64,7 +64,7 @@ QUESTIONS = (
 ALWAYS = (("spans.lens", "mtf @ --plot p.svg"), ("bead.lens", "mtf @ --plot p.svg"),
           ("bead.lens", "wavefront @ --plot p.svg"))
 # Commands that read no file of the user's but tables of --lensdb, which check_input tries.
-WITHOUT = {"flash", "bracket", "motion", "stars", "tilt", "panorama", "timelapse", "survey",
+WITHOUT = {"flash", "bracket", "motion", "stars", "tilt", "panorama", "timelapse", "survey", "pinhole",
            "projector", "microscope", "refract", "lensmaker",
            "list", "help", "completion"}
 
