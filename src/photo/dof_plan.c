@@ -82,6 +82,36 @@ bool dof_plan_shot(const struct dof_plan *plan, long index, struct dof_setting *
     return dof_compute(shot, DOF_EXACT, dof, error);
 }
 
+bool dof_rail_plan(const struct dof_setting *setting, double m, double covered, double overlap,
+                   struct dof_rail *rail, struct error *error)
+{
+    const double N = setting->N, c = setting->c, P = setting->P;
+    const double e = isnan(setting->f) ? 0 : N * c / (m * setting->f);
+    if (!(m > 0 && m < INFINITY && N > 0 && c > 0 && P > 0) ||
+        !(covered > 0 && covered < INFINITY)) {
+        return fail(error, ERROR_DOMAIN,
+                    "a stack on a rail needs a magnification, an f-number, a circle of confusion "
+                    "and a depth above 0");
+    }
+    if (!(overlap >= 0 && overlap <= 0.95)) {
+        return fail(error, ERROR_DOMAIN, "an overlap of %.6g is not within 0 to 0.95", overlap);
+    }
+    if (!(e < 1)) {
+        return fail(error, ERROR_DOMAIN, "one shot covers everything up to infinity");
+    }
+    const double depth = 2 * N * c * (1 / m + 1 / P) / (m * (1 - e * e));
+    const double steps = ceil((covered - depth) / (depth * (1 - overlap)) - COUNT_TOLERANCE);
+    if (!(steps < DOF_PLAN_LIMIT)) {
+        return fail(error, ERROR_DOMAIN, "that takes more than %d shots", (int)DOF_PLAN_LIMIT);
+    }
+    const double further = fmax(steps, 0);
+    *rail = (struct dof_rail){.depth = depth,
+                              .step = further > 0 ? (covered - depth) / further : (double)NAN,
+                              .travel = further > 0 ? covered - depth : 0,
+                              .count = 1 + (long)further};
+    return true;
+}
+
 bool dof_equal(const struct dof_setting *setting, double k, struct dof_setting *other,
                struct error *error)
 {

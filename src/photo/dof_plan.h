@@ -52,6 +52,34 @@ bool dof_plan_make(const struct dof_setting *setting, double near, double far, d
 bool dof_plan_shot(const struct dof_plan *plan, long index, struct dof_setting *shot,
                    struct dof *dof, struct error *error);
 
+/* A focus stack of a camera on a rail; lengths in mm. */
+struct dof_rail {
+    double depth;  /* of field, of each shot */
+    double step;   /* of the rail between two shots */
+    double travel; /* of the rail from the first shot to the last */
+    long count;    /* of shots, 1 .. DOF_PLAN_LIMIT */
+};
+
+/*
+ * Shots that cover a depth while camera and lens move along a rail, so that all have one
+ * magnification.
+ *
+ * Given     setting  N, c, P; f, or NaN: not known; s is ignored
+ *           m        magnification, > 0
+ *           covered  depth to cover, mm, > 0
+ *           overlap  0 .. 0.95, the part of a shot's depth that the next one covers again, at least
+ * Formula   T = 2 N c (1/m + 1/P)/(m (1 - e^2)), e = N c/(m f), 0 where f is not known;
+ *           n = 1 + ceil((covered - T)/(T (1 - overlap))), step = (covered - T)/(n - 1): spread
+ *           evenly the overlap is a little larger than asked
+ * Source    Derived here: dof_compute's total at a magnification
+ * Errors    as dof_check but for s; m or covered not above 0; overlap out of range; c = 0; e >= 1,
+ *           where a shot covers everything; more than DOF_PLAN_LIMIT shots
+ * Limits    Without f the depth is too small by e^2, less than 1 % for f > 10 N c/m. Diffraction
+ *           widens a point to 2.44 wavelength N (1 + m/P), whatever c says
+ */
+bool dof_rail_plan(const struct dof_setting *setting, double m, double covered, double overlap,
+                   struct dof_rail *rail, struct error *error);
+
 /*
  * The same picture on another format: same place, same framing, same depth of field.
  *

@@ -449,6 +449,42 @@ static void check_equal(struct dof_setting a, double k)
     }
 }
 
+/* 2 N c (m + 1)/m^2 of close-ups, [Ray02]; with f what dof_compute says at that magnification. */
+static void test_rail(void)
+{
+    static const struct {
+        double m, N, c, P, covered, overlap, depth, step;
+        long count;
+        const char *source;
+    } stacks[] = {
+        {2, 5.6, 0.03, 1, 8, 0.2, 0.252, 7.748 / 39, 40, "2 x 5.6 x 0.03 x 3/4; 7.748/0.2016"},
+        {1, 8, 0.03, 1, 9.6, 0.5, 0.96, 8.64 / 18, 19, "2 x 8 x 0.03 x 2; exactly 18 steps"},
+        {0.5, 4, 0.02, 2, 1, 0, 1.6 * 0.5, 0.2, 2, "0.16 x (2 + 1/2)/0.5"},
+        {1, 8, 0.03, 1, 0.5, 0.2, 0.96, NAN, 1, "one is enough"},
+    };
+    struct error error;
+    struct dof_rail rail;
+    for (size_t i = 0; i < sizeof stacks / sizeof *stacks; i++) {
+        const struct dof_setting a = {NAN, stacks[i].N, stacks[i].c, INFINITY, stacks[i].P};
+        CHECK(dof_rail_plan(&a, stacks[i].m, stacks[i].covered, stacks[i].overlap, &rail, &error));
+        CHECK_RELATIVE(rail.depth, stacks[i].depth, 1e-14, stacks[i].source);
+        CHECK(rail.count == stacks[i].count);
+        CHECK(isnan(stacks[i].step) ? isnan(rail.step) : fabs(rail.step - stacks[i].step) < 1e-14);
+        CHECK_RELATIVE(rail.travel + (rail.count > 1 ? rail.depth : stacks[i].covered),
+                       stacks[i].covered, 1e-14, "all is covered");
+    }
+    const struct dof_setting near = {60, 16, 0.03, 60 + 60 / 0.05, 1.5};
+    struct dof dof;
+    CHECK(dof_compute(&near, DOF_EXACT, &dof, &error));
+    CHECK(dof_rail_plan(&near, 0.05, 5000, 0.2, &rail, &error));
+    CHECK_RELATIVE(rail.depth, dof.total, 1e-13, "dof_compute, which other programs pin");
+    CHECK(!dof_rail_plan(&near, 0, 8, 0.2, &rail, &error));
+    CHECK(!dof_rail_plan(&near, 1, 0, 0.2, &rail, &error));
+    CHECK(!dof_rail_plan(&near, 1, 8, 1, &rail, &error));
+    CHECK(!dof_rail_plan(&near, 0.001, 8, 0.2, &rail, &error)); /* e above 1 */
+    CHECK(!dof_rail_plan(&near, 5, 1e9, 0.2, &rail, &error));
+}
+
 static void test_equal(void)
 {
     check_equal((struct dof_setting){50, 2.8, 0.03, 3000, 1}, 0.5);
@@ -495,6 +531,7 @@ int main(void)
     test_models();
     test_refusals();
     test_plan();
+    test_rail();
     test_equal();
     return check_report();
 }

@@ -38,6 +38,10 @@ static const struct option options[] = {
     {ASKED(stack), .name = "stack",
      .help = "plan a focus stack, one row per shot: from --near to --far, or as deep as --dof; -m "
              "is the magnification of the first shot"},
+    {ASKED(rail), .name = "rail", .wants = "stack",
+     .help =
+         "the camera moves along a rail, at -m for all shots: their number and the rail's step, "
+         "with or without -f"},
     {MEASURE(overlap, ratio, NULL, "FRACTION"), .name = "overlap", .wants = "stack", .lowest = 0,
      .highest = 0.95, .fallback = "0.2",
      .help = "overlap of successive shots, as a fraction of the depth of field, for --stack"},
@@ -68,6 +72,7 @@ struct dof_row {
     double t_stop, working_t_stop, squeeze;
     struct anamorphic across;
     struct dof_background background;
+    double step, travel;                             /* of a rail */
     double sensor_distance, sensor_near, sensor_far; /* from the sensor */
     double wavelength;                               /* NaN where it does not matter */
     const char *sensor, *criterion, *model, *from;
@@ -86,32 +91,38 @@ static const struct column columns[] = {
     PHOTO_LENS_COLUMNS(real),
     {SHOWN(shot), .name = "shot", ECHO_WITH("stack"),
      .help = "number of the shot in a focus stack, nearest first"},
-    {SHOWN(shots), .name = "shots", .flags = COLUMN_EXTRA, .when = "with --stack",
+    {SHOWN(shots), .name = "shots", BRIEF_WITH("rail"), .when = "with --stack",
      .help = "number of shots in the focus stack"},
+    {LENGTH(step, "mm"), .name = "step", BRIEF_WITH("rail"), .label = "step of the rail",
+     .help = "between two shots of the focus stack"},
+    {LENGTH(travel, "mm"), .name = "travel", WITH("rail"), .label = "travel of the rail",
+     .help = "from the first shot to the last"},
     COLUMN_FOCAL(focal, 0),
     COLUMN_NA(na),
     COLUMN_FNUMBER(fnumber, 0),
     {SHOWN(t_stop), .name = "t_stop", ECHO_WITH("t-stop lens"), .symbol = "T", .label = "T-stop",
      .help = "T-stop as marked"},
     ATTACHMENT_COLUMNS(attached),
-    {LENGTH(distance, "m"), .name = "distance", BRIEF | COLUMN_ECHO | COLUMN_INFINITE,
-     .with = "distance", .help = "distance of the subject"},
+    {LENGTH(distance, "m"), .name = "distance",
+     BRIEF | COLUMN_ECHO | COLUMN_INFINITE | COLUMN_SPARSE, .with = "distance",
+     .help = "distance of the subject"},
     COLUMN_SENSOR(sensor),
     COLUMN_COC(setting.c, 0, SHARPNESS_WISHES),
     COLUMN_CRITERION(criterion),
     COLUMN_WAVELENGTH(wavelength),
-    {LENGTH(dof.hyperfocal, "m"), .name = "hyperfocal", .flags = COLUMN_INFINITE, .symbol = "H",
-     .label = "hyperfocal distance",
+    {LENGTH(dof.hyperfocal, "m"), .name = "hyperfocal", .flags = COLUMN_INFINITE | COLUMN_SPARSE,
+     .symbol = "H", .label = "hyperfocal distance",
      .help = "nearest focus that keeps infinity sharp, from the front principal plane"},
-    {LENGTH(dof.near, "m"), .name = "near", BRIEF | COLUMN_INFINITE,
+    {LENGTH(dof.near, "m"), .name = "near", BRIEF | COLUMN_INFINITE | COLUMN_SPARSE,
      .condition = offsetof(struct dof_row, dof.near_condition), .symbol = "n",
      .label = "near limit", .help = "nearest sharp distance"},
-    {LENGTH(dof.far, "m"), .name = "far", BRIEF | COLUMN_INFINITE,
+    {LENGTH(dof.far, "m"), .name = "far", BRIEF | COLUMN_INFINITE | COLUMN_SPARSE,
      .condition = offsetof(struct dof_row, dof.far_condition), .symbol = "r", .label = "far limit",
      .help = "farthest sharp distance"},
-    {LENGTH(dof.front, "m"), .name = "front", BRIEF | COLUMN_INFINITE, .symbol = "front",
-     .label = "in front of the subject", .help = "depth of field before the subject"},
-    {LENGTH(dof.behind, "m"), .name = "behind", BRIEF | COLUMN_INFINITE,
+    {LENGTH(dof.front, "m"), .name = "front", BRIEF | COLUMN_INFINITE | COLUMN_SPARSE,
+     .symbol = "front", .label = "in front of the subject",
+     .help = "depth of field before the subject"},
+    {LENGTH(dof.behind, "m"), .name = "behind", BRIEF | COLUMN_INFINITE | COLUMN_SPARSE,
      .condition = offsetof(struct dof_row, dof.far_condition), .symbol = "behind",
      .label = "behind the subject", .help = "depth of field behind the subject"},
     {LENGTH(dof.total, "m"), .name = "dof", BRIEF | COLUMN_INFINITE,
@@ -244,6 +255,7 @@ static bool dof_fill_row(const struct dof_question *input, const struct attached
     row->squeeze = input->squeeze;
     row->across = (struct anamorphic){NAN, NAN, NAN, NAN};
     row->background = dof_background_none;
+    row->step = row->travel = NAN;
     const bool has_background = !isnan(input->blur_at) || !isnan(input->blur_behind);
     return (isnan(input->t_stop) ||
             transmittance_from_t_stop(row->fnumber, input->t_stop, &transmittance, error)) &&
@@ -294,6 +306,52 @@ static bool run_stack(const struct dof_question *input, const struct attached_le
             return false;
         }
     }
+    return true;
+}
+
+/* One row for all shots of a rail, which differ in nothing but their place. */
+static bool run_rail(const struct dof_question *input, const struct photo_lens *lens,
+                     const struct dof_setting *setting, struct run *run, struct error *error)
+{
+    struct dof_rail rail;
+    if (!dof_question_rail(input, setting, &rail, error)) {
+        return false;
+    }
+    const double m = input->targets.magnification, none = NAN;
+    struct dof_row row = {
+        .setting = *setting,
+        .dof = {none, none, none, none, none, rail.depth, m,
+                2 * setting->N * setting->c * (1 + m / setting->P), none, none, none, none, none,
+                none, setting->N * (1 + m / setting->P), 1, 1},
+        .real = *lens->real,
+        .rays = by_rays_none,
+        .attached = input->attached,
+        .background = dof_background_none,
+        .step = rail.step,
+        .travel = rail.travel,
+        .na = none,
+        .focal = setting->f,
+        .fnumber = setting->N,
+        .distance = none,
+        .t_stop = none,
+        .working_t_stop = none,
+        .squeeze = none,
+        .across = {none, none, none, none},
+        .sensor_distance = none,
+        .sensor_near = none,
+        .sensor_far = none,
+        .wavelength = photo_lens_light(lens, sharpness_is_airy(&input->sharp)),
+        .sensor = input->sharp.sensor.name,
+        .criterion = input->sharp.coc.criterion,
+        .model = dof_models[input->model].word,
+        .from = distances_from[input->lens.from].word,
+        .shot = NO_INTEGER,
+        .shots = rail.count,
+        .other_focal = none,
+        .other_fnumber = none,
+        .other_coc = none,
+    };
+    run_emit(run, &row);
     return true;
 }
 
@@ -373,6 +431,9 @@ static bool dof_answer(const void *data, const struct photo_lens *lens, struct r
         setting->c = NAN;
     }
     const char *criterion = solves_coc ? "solved" : input->sharp.coc.criterion;
+    if (input->rail) {
+        return run_rail(input, attached.lens, setting, run, error);
+    }
     if (input->stack) {
         struct dof_plan plan;
         return dof_question_plan(input, attached.lens, setting, &plan, error) &&
@@ -407,7 +468,7 @@ static bool dof_run(const void *data, struct run *run, struct error *error)
 static bool dof_makes_many(const void *data)
 {
     const struct dof_question *input = data;
-    return input->stack || photo_lens_makes_many(&input->lens);
+    return (input->stack && !input->rail) || photo_lens_makes_many(&input->lens);
 }
 
 PHOTO_LENS_VARIES(lens)
@@ -476,6 +537,7 @@ static const struct example examples[] = {
     {"dof -f 85 -N 1.8 -s 2m --blur-at 10m", "how blurred the background is"},
     {"dof -f 100mm -N 8 --near 30cm --far 33cm --stack", "a focus stack"},
     {"dof -f 100mm -N 5.6 -m 1:1 --dof 5mm --stack", "one that begins at life size"},
+    {"dof -m 2:1 -N 5.6 --dof 8mm --stack --rail", "on a rail: how many shots, and its step"},
     {"dof -f 50mm -N 8 --tube 25mm", "with a tube, the lens itself focused at infinity"},
     {"dof -f 200mm -N 4 -s 10m --converter 2x", "with a teleconverter"},
     {"dof -f 50mm -N 2.8 --t-stop 3.1 -s 2m --squeeze 2 --sensor scope", "anamorphic cinema"},

@@ -279,6 +279,27 @@ bool dof_question_plan(const struct dof_question *input, const struct photo_lens
     return true;
 }
 
+bool dof_question_rail(const struct dof_question *input, const struct dof_setting *setting,
+                       struct dof_rail *rail, struct error *error)
+{
+    const struct dof_targets *t = &input->targets;
+    const char *other =
+        SAID_FIRST({!isnan(input->distance), "distance"}, {!isnan(t->near), "near"},
+                   {!isnan(t->far), "far"}, {!isnan(t->hyperfocal), "hyperfocal"},
+                   {input->other.name != NULL, "equal-on"}, {!isnan(input->blur_at), "blur-at"},
+                   {!isnan(input->blur_behind), "blur-behind"}, {!isnan(input->squeeze), "squeeze"},
+                   {!isnan(input->t_stop), "t-stop"}, {input->model != DOF_EXACT, "model"});
+    if (other != NULL) {
+        return fail(error, ERROR_USAGE, "{--rail} excludes {--%s}", other);
+    }
+    if (isnan(t->magnification) || isnan(t->total) || isnan(setting->N)) {
+        return fail(error, ERROR_USAGE,
+                    "{--rail} needs the {--magnification}, the f-number and the depth to cover, "
+                    "{--dof}");
+    }
+    return dof_rail_plan(setting, t->magnification, t->total, input->overlap, rail, error);
+}
+
 /* -------- by rays -------- */
 
 bool dof_question_by_rays(const struct dof_question *input, const struct attached_lens *attached,

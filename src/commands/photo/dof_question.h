@@ -18,7 +18,7 @@ struct dof_question {
     struct sharpness sharp;
     int model;
     struct dof_targets targets;
-    bool stack;
+    bool stack, rail;
     double overlap;
     struct sensor_value other;
     struct attachments attached;
@@ -92,6 +92,14 @@ bool dof_question_solve(const struct dof_question *input, const struct attached_
  */
 bool dof_question_plan(const struct dof_question *input, const struct photo_lens *lens,
                        struct dof_setting *setting, struct dof_plan *plan, struct error *error);
+
+/*
+ * The stack of a camera on a rail: as deep as --dof says, at the magnification.
+ *
+ * Errors    ERROR_USAGE: these not given, others that are; as dof_rail_plan
+ */
+bool dof_question_rail(const struct dof_question *input, const struct dof_setting *setting,
+                       struct dof_rail *rail, struct error *error);
 
 /*
  * Limits, focus and blurs by the rays of the lens in place of those that formulas gave.
