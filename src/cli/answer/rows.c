@@ -432,11 +432,13 @@ static bool rows_settle_focal(struct driver *driver, struct error *error)
 {
     const struct focal_options *options = &driver->sweep.focal;
     const char *input = driver->input;
-    bool is_plain =
-        options->sensor == NULL ||
-        !((const struct sensor_value *)(const void *)(input + options->sensor->offset))->is_wide;
+    const struct sensor_value *sensor =
+        options->sensor != NULL ? (const void *)(input + options->sensor->offset) : NULL;
+    bool is_plain = sensor == NULL || (!sensor->is_wide && sensor->with_lens == NULL);
     for (size_t i = 0; i < options->count; i++) {
-        is_plain = is_plain && !focal_is_equivalent(options->focal[i], input);
+        const struct option *option = options->focal[i];
+        is_plain = is_plain && !focal_is_equivalent(option, input) &&
+                   !((const struct focal_value *)(const void *)(input + option->offset))->of_camera;
     }
     return is_plain || focal_settle(options, driver->input, &driver->doubts, error);
 }

@@ -192,7 +192,10 @@ static bool take_plain_row(struct batch *batch, void *input)
             coc->criterion = COC_GIVEN;
             coc->is_fallback = false;
         } else if (plain->is_focal) {
-            *(struct focal_value *)member = (struct focal_value){value, NAN};
+            struct focal_value *focal = member;
+            focal->length = value;
+            focal->equivalent = NAN;
+            focal->of_camera = false;
         } else {
             *(double *)member = value;
         }

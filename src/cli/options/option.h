@@ -124,12 +124,17 @@ enum { MOST_FIELDS = 64 };
 struct focal_value {
     double length;     /* NaN: not given, or an equivalent one that is not settled */
     double equivalent; /* "26mm-eq": 26; else NaN */
+    bool of_camera;    /* the length is that of the lens of --sensor: nobody gave one */
+    double fnumber;    /* then that of this lens, where nobody gave one either; else NaN */
 };
 
 /* The options of a command that take such values, and the one that names the sensor. */
 struct focal_options {
     const struct option *focal[2], *sensor;
     size_t count;
+    const struct option *lens, *fnumber; /* --lens, --aperture; null = there is none */
+    const struct option *all;            /* of the command */
+    size_t all_count;
 };
 
 struct focal_options focal_options_of(const struct option *options, size_t count);
@@ -142,7 +147,9 @@ bool focal_check_alike(const struct focal_value *values, size_t count, const str
 bool focal_is_equivalent(const struct option *option, const void *input);
 
 /*
- * The real length of focal lengths that are equivalent ones, and a doubt about those of phones,
+ * The real length of focal lengths that are equivalent ones; that of the camera's own lens, and its
+ * f-number, where neither a focal length nor --lens nor a goal is given, which the sensor's name
+ * says then; and a doubt about those of phones,
  * drones and action cameras that no main lens of them has.
  *
  * Given     input   the command's struct with all of its options
@@ -243,6 +250,9 @@ struct sensor_value {
     double focal;           /* of a camera whose lens is fixed, mm; else NaN */
     bool is_fallback;       /* nobody named it */
     bool is_wide;           /* of a camera whose lens is fixed and wide: phone, drone, action */
+    double fnumber;         /* of a fixed lens; else, and where it is not known, NaN */
+    const char *bare_name;  /* of such a camera: its name; else null */
+    const char *with_lens;  /* of such a camera: the name with what its lens is; else null */
     bool is_optical;        /* an optical format, "1/2.8in": its shape is not sure */
 };
 

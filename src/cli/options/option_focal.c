@@ -13,8 +13,10 @@ static const double LONGEST_MAIN = 40, LARGEST_DIAGONAL = 21;
 static void focal_set_number(void *member, double number, const struct unit *unit)
 {
     const bool is_equivalent = unit_is_equivalent(unit);
-    *(struct focal_value *)member = (struct focal_value){is_equivalent ? (double)NAN : number,
-                                                         is_equivalent ? number : (double)NAN};
+    struct focal_value *focal = member; /* what an earlier row took from a camera stays known */
+    focal->length = is_equivalent ? (double)NAN : number;
+    focal->equivalent = is_equivalent ? number : (double)NAN;
+    focal->of_camera = false;
 }
 
 static bool focal_read(const struct reader *reader, const struct option *option, struct text text,
@@ -61,7 +63,7 @@ const struct option_kind kind_focal = {
 
 struct focal_options focal_options_of(const struct option *options, size_t count)
 {
-    struct focal_options found = {{NULL}, NULL, 0};
+    struct focal_options found = {.all = options, .all_count = count};
     for (size_t i = 0; i < count; i++) {
         if (options[i].kind == &kind_focal &&
             found.count < sizeof found.focal / sizeof found.focal[0]) {
@@ -69,6 +71,10 @@ struct focal_options focal_options_of(const struct option *options, size_t count
         } else if (options[i].kind == &kind_sensor &&
                    text_equal(text_of(options[i].name), "sensor")) {
             found.sensor = &options[i];
+        } else if (options[i].kind == &kind_lens) {
+            found.lens = &options[i];
+        } else if (text_equal(text_of(options[i].name), "aperture")) {
+            found.fnumber = &options[i];
         }
     }
     return found;
@@ -93,14 +99,65 @@ bool focal_is_equivalent(const struct option *option, const void *input)
     return option->kind == &kind_focal && !isnan(focal->equivalent);
 }
 
+/* Is something given that a focal length may be solved for, or a lens that has its own? */
+static bool focal_has_other(const struct focal_options *options, const void *input)
+{
+    const char *members = input;
+    for (size_t i = 0; i < options->all_count; i++) {
+        const struct option *option = &options->all[i];
+        if ((option->flags & OPTION_GOAL) != 0 && option->kind == &kind_quantity &&
+            !isnan(*(const double *)(const void *)(members + option->offset))) {
+            return true;
+        }
+    }
+    return options->lens != NULL &&
+           ((const struct lens_value *)(const void *)(members + options->lens->offset))->lens !=
+               NULL;
+}
+
+/* The camera's own lens where none is given; what an earlier row took from its camera goes. */
+static void focal_take_camera(const struct focal_options *options, void *input,
+                              struct focal_value *focal, struct sensor_value *sensor)
+{
+    double none = NAN;
+    double *fnumber = options->fnumber != NULL && options->fnumber->kind == &kind_quantity
+                          ? (void *)((char *)input + options->fnumber->offset)
+                          : &none;
+    if (focal->fnumber > 0 && *fnumber == focal->fnumber) {
+        *fnumber = NAN;
+    }
+    focal->fnumber = NAN;
+    if (focal->of_camera) {
+        focal->length = NAN;
+        focal->of_camera = false;
+    }
+    if (sensor != NULL && sensor->with_lens != NULL) {
+        sensor->name = sensor->bare_name;
+    }
+    if (sensor == NULL || sensor->with_lens == NULL || sensor->is_fallback ||
+        !isnan(focal->length) || !isnan(focal->equivalent) || focal_has_other(options, input)) {
+        return;
+    }
+    focal->of_camera = true;
+    focal->length = sensor->focal;
+    focal->fnumber = isnan(*fnumber) ? sensor->fnumber : (double)NAN;
+    if (!isnan(focal->fnumber)) {
+        *fnumber = focal->fnumber;
+    }
+    sensor->name = sensor->with_lens;
+}
+
 bool focal_settle(const struct focal_options *options, void *input, struct warnings *doubts,
                   struct error *error)
 {
     for (size_t i = 0; i < options->count; i++) {
         const struct option *option = options->focal[i];
         struct focal_value *focal = (void *)((char *)input + option->offset);
-        const struct sensor_value *sensor =
+        struct sensor_value *sensor =
             options->sensor != NULL ? (void *)((char *)input + options->sensor->offset) : NULL;
+        if (text_equal(text_of(option->name), "focal-length")) {
+            focal_take_camera(options, input, focal, sensor);
+        }
         const bool has_sensor = sensor != NULL && sensor->name != NULL && !sensor->is_fallback;
         if (!isnan(focal->equivalent)) {
             if (!has_sensor) {

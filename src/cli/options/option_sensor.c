@@ -138,6 +138,17 @@ static struct sensor_value name_sensor(const struct reader *reader,
     sensor.is_wide =
         !is_long && (text_equal(found->class, "phone") || text_equal(found->class, "drone") ||
                      text_equal(found->class, "action"));
+    sensor.fnumber = NAN;
+    if (!isnan(sensor.focal)) {
+        const bool has_fnumber =
+            quantity_read(found->fnumber, &dimension_number, NULL, &sensor.fnumber, NULL, &ignored);
+        sensor.fnumber = has_fnumber ? sensor.fnumber : (double)NAN;
+        sensor.bare_name = sensor.name;
+        sensor.with_lens = arena_printf(
+            reader->arena, "%.*s, its lens %.*s mm%s%.*s)", (int)strlen(sensor.name) - 1,
+            sensor.name, (int)found->focal.length, found->focal.start, has_fnumber ? " f/" : "",
+            has_fnumber ? (int)found->fnumber.length : 0, found->fnumber.start);
+    }
     if (text_equal(found->pitch_from, "estimate")) {
         sensor.pitch_note = "worked out from an estimated pixel count, good to about 2 %";
     }
@@ -259,6 +270,20 @@ static bool sensor_refuse(const struct option *option, struct text text, struct 
     return error_prefix(error, "%s: ", CALLED(option));
 }
 
+/* "iPhone 15 Pro main": the camera that a phone's name alone stands for. */
+static struct text without_main(struct text text)
+{
+    static const char *const ends[] = {" main camera", " main", " wide camera"};
+    for (size_t i = 0; i < sizeof ends / sizeof ends[0]; i++) {
+        const size_t length = strlen(ends[i]);
+        if (text.length > length &&
+            text_same((struct text){text.start + text.length - length, length}, ends[i])) {
+            return (struct text){text.start, text.length - length};
+        }
+    }
+    return text;
+}
+
 /* A name, a size or an optical format; `*begun`: one of the latter two, but with a fault. */
 static bool read_whole(const struct reader *reader, const struct option *option, struct text text,
                        struct sensor_value *sensor, bool *begun, struct error *error)
@@ -266,6 +291,7 @@ static bool read_whole(const struct reader *reader, const struct option *option,
     struct lensdb_sensor found;
     struct error own;
     *begun = false;
+    text = without_main(text);
     /* names first: 6x9 is a trade name, not a size */
     if (lensdb_find_sensor(reader->db, without_size(text), &found, error)) {
         *sensor = name_sensor(reader, &found);

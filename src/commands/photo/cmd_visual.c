@@ -404,7 +404,7 @@ static bool visual_run(const void *data, struct run *run, struct error *error)
     if (input->eyepiece.lens.lens != NULL) {
         question.lens = input->eyepiece.lens;
     }
-    question.focal = (struct focal_value){NAN, NAN};
+    question.focal = (struct focal_value){.length = NAN, .equivalent = NAN};
     if (input->binoculars.name != NULL && !is_given(input->binoculars.number)) {
         return fail(error, ERROR_USAGE, "{binoculars} '%s' lack the diameter: 10x42",
                     input->binoculars.name);
