@@ -373,6 +373,7 @@ enum option_flag {
     OPTION_EMPTY = 131072,       /* a text that may be empty */
     OPTION_SETTING_TOO = 262144, /* a setting that only goals of two are solved for */
     OPTION_GOAL_OF_TWO = 524288, /* a goal that is open while one of these is not given */
+    OPTION_OF_CAMERA = 1048576,  /* a focal length: else that of the lens of a --sensor */
     OPTION_ASIDE = 32768 /* says how work is done, not what comes of it: threads, a part of it */
 };
 

@@ -155,7 +155,7 @@ bool focal_settle(const struct focal_options *options, void *input, struct warni
         struct focal_value *focal = (void *)((char *)input + option->offset);
         struct sensor_value *sensor =
             options->sensor != NULL ? (void *)((char *)input + options->sensor->offset) : NULL;
-        if (text_equal(text_of(option->name), "focal-length")) {
+        if ((option->flags & OPTION_OF_CAMERA) != 0) {
             focal_take_camera(options, input, focal, sensor);
         }
         const bool has_sensor = sensor != NULL && sensor->name != NULL && !sensor->is_fallback;

@@ -12,7 +12,7 @@
 #define INPUT struct dof_question
 
 static const struct option options[] = {
-    OPTION_FOCAL_LENGTH(lens.focal, OPTION_SETTING),
+    OPTION_FOCAL_LENGTH(lens.focal, OPTION_SETTING | OPTION_OF_CAMERA),
     PHOTO_LENS_OPTIONS(lens),
     OPTION_APERTURE(lens.fnumber, OPTION_SETTING),
     OPTION_NA(na, "numerical aperture at the subject, in place of -N",

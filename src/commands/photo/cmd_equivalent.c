@@ -38,7 +38,7 @@ static const struct word kept[] = {
 #define INPUT struct equivalent_input
 
 static const struct option options[] = {
-    OPTION_FOCAL_LENGTH(lens.focal, 0),
+    OPTION_FOCAL_LENGTH(lens.focal, OPTION_OF_CAMERA),
     PHOTO_LENS_OPTIONS(lens),
     OPTION_APERTURE(lens.fnumber, 0),
     {MEASURE(iso, iso, NULL, "NUMBER"), REPEATED("iso"), .quantity = "ISO speed", ABOVE_0,

@@ -19,7 +19,7 @@ struct hyperfocal_input {
 #define INPUT struct hyperfocal_input
 
 static const struct option options[] = {
-    OPTION_FOCAL_LENGTH(lens.focal, OPTION_SETTING),
+    OPTION_FOCAL_LENGTH(lens.focal, OPTION_SETTING | OPTION_OF_CAMERA),
     PHOTO_LENS_OPTIONS(lens),
     OPTION_APERTURE(lens.fnumber, OPTION_SETTING),
     SHARPNESS_OPTIONS_OF_LENS(sharp, lens, 0, "d/1500", coc_is_pixels),

@@ -24,7 +24,7 @@ struct tilt_input {
 #define INPUT struct tilt_input
 
 static const struct option options[] = {
-    OPTION_FOCAL_LENGTH(focal, 0),
+    OPTION_FOCAL_LENGTH(focal, OPTION_OF_CAMERA),
     OPTION_APERTURE(fnumber, 0),
     {MEASURE(tilt, angle, "deg", "ANGLE"), REPEATED("tilt"),
      .flags = OPTION_NO_INFINITY | OPTION_SETTING,
