@@ -131,9 +131,12 @@ static bool exposure_find_unknown(struct exposure_given *g, struct exposure *x, 
                         "nothing is left to solve for: leave out one of {f-number}, {exposure "
                         "time}, {ISO speed} and a light (" ANY_LIGHT ")");
         }
-        return fail(error, ERROR_USAGE,
-                    "too little is given: of {f-number}, {exposure time} and a light (" ANY_LIGHT
-                    ") two are needed ({ISO speed} is 100 unless given)");
+        fail(error, ERROR_USAGE,
+             "too little is given: of {f-number}, {exposure time} and a light (" ANY_LIGHT
+             ") two are needed ({ISO speed} is 100 unless given)");
+        return is_given(g->t) && g->loss > 0
+                   ? error_hint(error, "a time metered without the filter is --metered")
+                   : false;
     }
     if (missing == 0 && is_given(g->ev)) {
         return fail(error, ERROR_USAGE,

@@ -126,6 +126,9 @@ static const struct trade_name hints[] = {
     {"s do distance objectdistance", "object"},
     {"di imagedistance", "image"},
     {"lenses", "then"},
+    {"pixels", "blur"},
+    {"height cameraheight", "hinge"},
+    {"bellows extension", "magnification"},
     {"medium", "before"},
 };
 
