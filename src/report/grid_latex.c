@@ -31,7 +31,7 @@ static const struct latex_sign {
     {"\xe2\x81\xb4", "\\ensuremath{^4}"},
     {"\xe2\x88\x9e", "\\ensuremath{\\infty}"},
     {"\xe2\x88\x92", "\\ensuremath{-}"},
-    {"\xc6\x92", "\\textit{f}"},
+    {"\xc6\x92", "\\textit f"},
 };
 
 /* LONGEST_SIGN: bytes written for one; PAGE: rows that surely fit on one. */
