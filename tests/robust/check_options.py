@@ -383,6 +383,30 @@ def try_help(asked):
     return b"Examples:" in asked.run("--help").stdout
 
 
+def with_config(asked, *more):
+    """The question with a file of defaults whose kit has a word for no colour."""
+    path = os.path.join(asked.folder, "kit.conf")
+    with open(path, "w") as file:
+        file.write("[kit wrong]\ncolor = purple\n")
+    return asked.program.run(asked.command, *asked.question, *more, cwd=asked.folder,
+                             variables={"LENSCALC_CONFIG": path})
+
+
+def try_kit(asked):
+    """Its options are taken where it is asked for, and only there."""
+    wrong = with_config(asked, "-K", "wrong")
+    return wrong.returncode == 4 and b"kit.conf:2:9: " in wrong.stderr and \
+        with_config(asked).returncode == asked.plain.returncode
+
+
+def try_no_config(asked):
+    """A file that is not there is not missed."""
+    plain, without = (asked.program.run(asked.command, *asked.question, *more, cwd=asked.folder,
+                                        variables={"LENSCALC_CONFIG": "nowhere"})
+                      for more in ((), ("--no-config",)))
+    return plain.returncode == 5 and without.returncode == asked.plain.returncode
+
+
 def try_color(asked):
     """What is wrong is said in colours, where they are asked for."""
     return asked.run("--no-such-option", "--color", "always").stderr.startswith(b"\033[")
@@ -396,7 +420,7 @@ TRIES = {
     "--batch-format": try_batch_format, "--fail-fast": try_fail_fast, "--force": try_force,
     "--output": try_output, "--lensdb": try_lensdb, "--agf": try_agf, "--lossy": try_lossy,
     "--glass-numbers": try_glass_numbers, "--stop-size": try_stop_size, "--color": try_color,
-    "--help": try_help, "--usage": try_usage,
+    "--kit": try_kit, "--no-config": try_no_config, "--help": try_help, "--usage": try_usage,
 }
 TRIES.update({f"--{name}": try_short(name) for name in ("csv", "tsv", "json", "jsonl")})
 
