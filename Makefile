@@ -31,6 +31,8 @@ SECONDS = 60
 JOBS    = 2
 SEED    = 1
 COUNT   = 60
+# nothing that make runs takes the defaults of whoever runs it
+export LENSCALC_CONFIG =
 
 # -ffp-contract=off: the same bits on every x86, with or without FMA
 # -fno-math-errno -fno-trapping-math: sqrt and comparisons inline; nobody reads errno or FP flags

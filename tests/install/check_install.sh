@@ -7,6 +7,7 @@ failed=0
 stage=$(mktemp -d) || exit 1
 trap 'rm -rf "$stage"' EXIT
 unset MAKEFLAGS MAKELEVEL
+export LENSCALC_CONFIG=
 
 check() { # description, command...
     what=$1

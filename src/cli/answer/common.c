@@ -93,11 +93,11 @@ const struct option common_options[] = {
      .fallback = "lens",
      .help = "marginal ray by which the aperture (f-number, pupil, numerical aperture) determines "
              "the size of the stop"},
-    {COMMON(kit), .name = "kit", .letter = 'K', .value = "NAME", .flags = OPTION_SEVERAL,
-     .excludes = "no-config",
+    {COMMON(kit), .name = "kit", .letter = 'K', .value = "NAME",
+     .flags = OPTION_SEVERAL | OPTION_ASIDE, .excludes = "no-config",
      .help = "options of a section [kit NAME] of the configuration; several with commas, or "
              "repeated"},
-    {COMMON(no_config), .name = "no-config",
+    {COMMON(no_config), .name = "no-config", .flags = OPTION_ASIDE,
      .help = "take no defaults from the configuration (also an empty variable LENSCALC_CONFIG)"},
     {COMMON(color), .name = "color", .value = "WHEN", .flags = OPTION_ASIDE, .words = color_words,
      .fallback = "auto", .help = "colour table heads, warnings and errors"},

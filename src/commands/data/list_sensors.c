@@ -39,7 +39,7 @@ static const struct column format_columns[] = {
 
 static const struct column camera_columns[] = {
     {SHOWN(name), .name = "camera", BRIEF, .help = "maker and model"},
-    {SHOWN(aliases), .name = "aliases", .label = "also called",
+    {SHOWN(aliases), .name = "aliases", BRIEF | COLUMN_SPARSE, .label = "also called",
      .help = "other names: short, in EXIF, of sensor modes"},
     {SHOWN(class), .name = "class", BRIEF,
      .help = "dslr, mirrorless, rangefinder, compact, cine, phone, drone, action, sensor or "

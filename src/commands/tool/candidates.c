@@ -6,6 +6,7 @@
 
 #include "cli/answer/columns.h"
 #include "cli/answer/help.h"
+#include "cli/question/configuration.h"
 #include "exchange/lens_open.h"
 #include "report/row.h"
 
@@ -225,6 +226,22 @@ static void offer_positions(const struct typed_words *typing)
     candidates_offer(typing, "all", "every position");
 }
 
+/* The kits of the user's configuration, if it can be read. */
+static void offer_kits(const struct typed_words *typing)
+{
+    struct config_file file;
+    const char *opened;
+    struct error ignored;
+    struct arena *arena = typing->run->arena;
+    const bool is_read = configuration_open(&file, &opened, arena, &ignored);
+    for (size_t i = 0; is_read && i < file.section_count; i++) {
+        const struct text name = file.sections[i].section;
+        if (file.sections[i].scope == CONFIG_KIT) {
+            candidates_offer(typing, arena_string(arena, name.start, name.length), NULL);
+        }
+    }
+}
+
 /* -------- what is being typed -------- */
 
 static void offer_value(struct typed_words *typing, const struct option *option)
@@ -233,7 +250,8 @@ static void offer_value(struct typed_words *typing, const struct option *option)
     bool is_position = strcmp(option->name, "position") == 0;
     bool is_file = (option->flags & OPTION_FILE) != 0;
     const bool is_column = strcmp(option->name, "value") == 0;
-    if (option->kind->is_list || is_columns || is_position) {
+    const bool is_kit = strcmp(option->name, "kit") == 0;
+    if (option->kind->is_list || is_columns || is_position || is_kit) {
         /* In a list only what follows the last comma. */
         struct text typed = typing->typed;
         size_t at = typed.length;
@@ -246,6 +264,9 @@ static void offer_value(struct typed_words *typing, const struct option *option)
     }
     for (size_t j = 0; option_word(option, j) != NULL; j++) {
         candidates_offer(typing, option_word(option, j)->word, option_word(option, j)->help);
+    }
+    if (is_kit) {
+        offer_kits(typing);
     }
     const struct word *word = words_of_kind(option->kind);
     for (; word != NULL && word->word != NULL; word++) {
