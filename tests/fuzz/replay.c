@@ -12,8 +12,8 @@
     X(agf)                                                                                         \
     X(batch)                                                                                       \
     X(command)                                                                                     \
-    X(config) X(glass) X(image) X(import) X(lens) X(odd) X(part) X(quantity) X(range) X(scene)     \
-        X(tsv)
+    X(config)                                                                                      \
+    X(glass) X(image) X(import) X(lens) X(odd) X(part) X(quantity) X(range) X(scene) X(tsv)
 #define DECLARE(name) int replay_##name(const uint8_t *data, size_t size);
 #define ENTER(name)   {#name, replay_##name},
 

@@ -244,6 +244,19 @@ static void offer_kits(const struct typed_words *typing)
 
 /* -------- what is being typed -------- */
 
+/* In a list only what follows the last comma is being typed. */
+static void typed_item(struct typed_words *typing)
+{
+    const struct text typed = typing->typed;
+    size_t at = typed.length;
+    while (at > 0 && typed.start[at - 1] != ',') {
+        at--;
+    }
+    typing->before =
+        arena_printf(typing->run->arena, "%s%.*s", typing->before, (int)at, typed.start);
+    typing->typed = (struct text){typed.start + at, typed.length - at};
+}
+
 static void offer_value(struct typed_words *typing, const struct option *option)
 {
     bool is_columns = strcmp(option->name, "columns") == 0;
@@ -252,21 +265,10 @@ static void offer_value(struct typed_words *typing, const struct option *option)
     const bool is_column = strcmp(option->name, "value") == 0;
     const bool is_kit = strcmp(option->name, "kit") == 0;
     if (option->kind->is_list || is_columns || is_position || is_kit) {
-        /* In a list only what follows the last comma. */
-        struct text typed = typing->typed;
-        size_t at = typed.length;
-        while (at > 0 && typed.start[at - 1] != ',') {
-            at--;
-        }
-        typing->before =
-            arena_printf(typing->run->arena, "%s%.*s", typing->before, (int)at, typed.start);
-        typing->typed = (struct text){typed.start + at, typed.length - at};
+        typed_item(typing);
     }
     for (size_t j = 0; option_word(option, j) != NULL; j++) {
         candidates_offer(typing, option_word(option, j)->word, option_word(option, j)->help);
-    }
-    if (is_kit) {
-        offer_kits(typing);
     }
     const struct word *word = words_of_kind(option->kind);
     for (; word != NULL && word->word != NULL; word++) {
@@ -288,6 +290,8 @@ static void offer_value(struct typed_words *typing, const struct option *option)
         }
     } else if (is_position) {
         offer_positions(typing);
+    } else if (is_kit) {
+        offer_kits(typing);
     }
     if (is_file) {
         output_string(typing->output, CANDIDATES_FILES "\n");
