@@ -56,7 +56,7 @@ kernels := $(wildcard src/*/kernel*.c src/*/*/kernel*.c)
 folders := base light scene report photo cli cli/options cli/question cli/batch cli/answer commands \
            commands/photo commands/tool optics analysis/setup analysis/pupil analysis/rays \
            analysis/waves analysis/image analysis/model analysis/real analysis/layout trace/kernel trace trace/aim \
-           trace/pupil data file exchange exchange/zemax exchange/codev exchange/oslo commands/lens \
+           trace/pupil data file exchange exchange/zemax exchange/codev exchange/oslo exchange/metadata commands/lens \
            commands/analysis commands/data design design/merit design/solver design/fit \
            design/tolerance commands/design draw base/image camera/sensor camera/film \
            camera/subject camera/photograph tone commands/camera

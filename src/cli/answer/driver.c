@@ -88,6 +88,12 @@ static const char *plot_columns(const struct driver *driver)
     return driver->common.columns != NULL ? driver->common.columns : driver->command->plot;
 }
 
+/* What stands for --batch in messages. */
+static const char *batch_name(const struct driver *driver)
+{
+    return driver->photographs.count > 0 ? "photographs" : "--batch";
+}
+
 /* Rows of a sweep are kept for --table and --plot. */
 static bool set_up_collection(struct driver *driver, struct error *error)
 {
@@ -103,7 +109,8 @@ static bool set_up_collection(struct driver *driver, struct error *error)
     const char *option = common->table != NULL ? "table" : "plot";
     /* --table and --plot show one row of each value of a sweep */
     if (driver->is_batch) {
-        return fail(error, ERROR_USAGE, "--%s works with swept options, not with --batch", option);
+        return fail(error, ERROR_USAGE, "--%s works with swept options, not with %s", option,
+                    batch_name(driver));
     }
     if (driver->command->makes_many != NULL && driver->command->makes_many(driver->input)) {
         return fail(error, ERROR_USAGE,
@@ -265,6 +272,14 @@ static bool open_output(struct driver *driver, struct error *error)
     return true;
 }
 
+/* Rows of a batch go to the command in blocks if it takes them; those of photographs are few. */
+static bool takes_blocks(const struct driver *driver)
+{
+    const struct command *command = driver->command;
+    return driver->is_batch && driver->photographs.count == 0 && command->takes_blocks != NULL &&
+           command->takes_blocks(driver->input, &driver->asking);
+}
+
 /* Everything that can be wrong with the question is found before a byte is written. */
 static bool driver_ask(struct driver *driver, struct error *error)
 {
@@ -289,9 +304,7 @@ static bool driver_ask(struct driver *driver, struct error *error)
                                            .input = driver->input};
     echo_open(&driver->echo, &question, &driver->arena);
     driver->report.sheet = &driver->echo.sheet;
-    /* rows of a batch go to the command in blocks if it takes them */
-    if (driver->is_batch && command->takes_blocks != NULL &&
-        command->takes_blocks(driver->input, &driver->asking)) {
+    if (takes_blocks(driver)) {
         queue_open(&driver->queue, command, sheet, driver->batch.passed_count, &driver->arena);
     }
     driver->common.columns = columns_from_options(command, driver->report.sheet,

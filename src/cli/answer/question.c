@@ -48,8 +48,8 @@ static bool question_open_batch(struct driver *driver, struct error *error)
 {
     const struct common *common = &driver->common;
     if (driver->sweep.total > 1) {
-        return fail(error, ERROR_USAGE,
-                    "--batch and options with several values exclude each other");
+        return fail(error, ERROR_USAGE, "%s and options with several values exclude each other",
+                    driver->photographs.count > 0 ? "photographs" : "--batch");
     }
     driver->constants = arena_array(&driver->arena, 1, driver->command->input_size);
     memcpy(driver->constants, driver->input, driver->command->input_size);
@@ -61,15 +61,20 @@ static bool question_open_batch(struct driver *driver, struct error *error)
                                    .sheet = question_sheet(driver),
                                    .commands = driver->commands,
                                    .constants = driver->constants};
-    if (!batch_open(&driver->batch, common->batch, (enum batch_format)common->batch_format,
-                    error) ||
+    const bool is_open =
+        driver->photographs.count > 0
+            ? photographs_open(&driver->batch, &driver->photographs, error)
+            : batch_open(&driver->batch, common->batch, (enum batch_format)common->batch_format,
+                         error);
+    if (!is_open ||
         !batch_settle(&driver->batch, question_sheet(driver), driver->report.format->is_keyed,
                       error)) {
         return false;
     }
     driver->passed = driver->batch.passed;
     driver->known_columns = driver->batch.column_count;
-    if (!batch_knows_any(&driver->batch)) {
+    if (!batch_knows_any(&driver->batch) &&
+        (driver->photographs.count == 0 || photographs_any(&driver->batch))) {
         warnings_add(&driver->doubts,
                      "no column of %s means anything to %s: all its rows have one answer",
                      driver->batch.source, driver->command->name);
@@ -224,7 +229,11 @@ bool question_settle(struct driver *driver, struct error *error)
     if (!question_build(driver, error)) {
         return false;
     }
-    driver->is_batch = driver->common.batch != NULL;
+    if (!photographs_find(&driver->arguments, &driver->common, &driver->photographs,
+                          &driver->arena, error)) {
+        return false;
+    }
+    driver->is_batch = driver->common.batch != NULL || driver->photographs.count > 0;
     if (driver->is_batch && !question_open_batch(driver, error)) {
         return false;
     }

@@ -2,21 +2,16 @@
 /* SPDX-License-Identifier: MIT */
 #include "cli/answer/relay.h"
 
+#include "cli/child.h"
 #include "cli/question/arguments.h"
 #include "cli/question/command.h"
 #include "design/solver/solver.h"
 #include "report/version.h"
 
 #include <errno.h>
-#include <fcntl.h>
-#include <signal.h>
-#include <spawn.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/wait.h>
 #include <unistd.h>
-
-extern char **environ; /* POSIX leaves its declaration to the program */
 
 enum { LONGEST_PATH = 4096 };
 
@@ -43,31 +38,16 @@ static char *own_folder(struct arena *arena)
  * Does the program start? A loader that does not find a library, or no memory for one, ends it
  * after execv, when nobody is left to give that a status; the loader says itself what it lacks.
  */
-static bool can_start(const char *path, struct error *error)
+static bool can_start(const char *path, struct arena *arena, struct error *error)
 {
     char *const words[] = {(char *)path, (char *)"--version", NULL};
-    posix_spawn_file_actions_t quietly;
-    pid_t child;
-    int status = 0, failure = posix_spawn_file_actions_init(&quietly);
-    /* who ignores its children, as what started this program may do, is not told how they end */
-    signal(SIGCHLD, SIG_DFL);
-    if (failure == 0) {
-        posix_spawn_file_actions_addopen(&quietly, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-        posix_spawn_file_actions_addopen(&quietly, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-        failure = posix_spawn(&child, path, &quietly, NULL, words, environ);
-        posix_spawn_file_actions_destroy(&quietly);
-    }
-    if (failure != 0) {
-        return fail(error, ERROR_IO, "%s does not start: %s", path, strerror(failure));
-    }
-    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-    }
-    const bool is_killed = WIFSIGNALED(status);
-    return status == 0 ||
-           fail(error, ERROR_IO,
-                "%s, the program with the solver Ceres, does not start: it ended with %s %d", path,
-                is_killed ? "signal" : "status",
-                is_killed ? WTERMSIG(status) : WEXITSTATUS(status));
+    const struct child child = {.words = words};
+    struct child_end end;
+    return child_run(&child, &end, arena, error) &&
+           (end.status == 0 ||
+            fail(error, ERROR_IO,
+                 "%s, the program with the solver Ceres, does not start: it ended with %s", path,
+                 child_status(&end, arena)));
 }
 
 bool relay_to_ceres(char **argv, struct arena *arena, struct error *error)
@@ -96,7 +76,7 @@ bool relay_to_ceres(char **argv, struct arena *arena, struct error *error)
         setenv("OMP_NUM_THREADS", "1", 1);
         setenv("OPENBLAS_NUM_THREADS", "1", 1);
         setenv(marker, LENSCALC_VERSION, 1);
-        if (!can_start(path, error)) {
+        if (!can_start(path, arena, error)) {
             return false;
         }
         execv(path, argv);

@@ -7,6 +7,7 @@
 #include "cli/answer/rows_team.h"
 #include "cli/batch/batch.h"
 #include "cli/batch/gaps.h"
+#include "cli/batch/photographs.h"
 #include "cli/batch/queue.h"
 #include "cli/progress.h"
 #include "cli/question/configuration.h"
@@ -32,6 +33,7 @@ struct driver {
     struct output output;
     struct collection collection;
     struct artifacts artifacts;
+    struct paths photographs;   /* that are the rows of the batch; none: those of a table are */
     struct option_query asking; /* the columns of a batch count as given */
     struct arena kept;          /* of the command, until the end */
     struct warnings doubts;

@@ -4,6 +4,7 @@
 
 #include "base/quantity.h"
 #include "cli/batch/gaps.h"
+#include "cli/batch/photographs.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -205,13 +206,23 @@ static bool take_plain_row(struct batch *batch, void *input)
     return true;
 }
 
-enum batch_result batch_next(struct batch *batch, void *input, struct error *error)
+/* "--distance hyperfocal" says nothing in a row with a distance of its own. */
+static void settle_hyperfocal(const struct batch *batch, void *input)
+{
+    const struct option *distance = arguments_find(batch->arguments, text_of("distance"))->option;
+    const struct option *far_limit = arguments_find(batch->arguments, text_of("far"))->option;
+    if (!batch_is_filled(batch, distance, input)) {
+        batch_reset_member(batch, far_limit, input);
+    } else if (!batch_has(batch, far_limit->name)) {
+        option_clear(far_limit, (char *)input + far_limit->offset);
+    }
+}
+
+/* Any row of a table: not only one of bare numbers. */
+static enum batch_result batch_next_line(struct batch *batch, void *input, struct error *error)
 {
     struct text line;
     bool read;
-    if (batch->plain != NULL && take_plain_row(batch, input)) {
-        return BATCH_ROW;
-    }
     /* no cell of an earlier row is left when this one is cut short */
     for (size_t i = 0; i < batch->passed_count; i++) {
         batch->passed[i] =
@@ -232,6 +243,20 @@ enum batch_result batch_next(struct batch *batch, void *input, struct error *err
         }
     }
     return read ? BATCH_ROW : BATCH_BAD_ROW;
+}
+
+enum batch_result batch_next(struct batch *batch, void *input, struct error *error)
+{
+    if (batch->plain != NULL && take_plain_row(batch, input)) {
+        return BATCH_ROW;
+    }
+    const enum batch_result result = batch->photographs != NULL
+                                         ? photographs_next(batch, input, error)
+                                         : batch_next_line(batch, input, error);
+    if (result == BATCH_ROW && batch->arguments->is_hyperfocal) {
+        settle_hyperfocal(batch, input);
+    }
+    return result;
 }
 
 /* Does it stand in the line, outside quotes? */
@@ -376,8 +401,8 @@ static bool batch_set_factors(struct batch_plain *plain)
 static void prepare_plain(struct batch *batch)
 {
     size_t count = batch->column_count;
-    if (batch->separator == ';') {
-        return; /* all cells say together how fractions are written */
+    if (batch->separator == ';' || batch->arguments->is_hyperfocal) {
+        return; /* all cells say together how fractions are written; or whether that is asked */
     }
     struct batch_plain *plain = ARENA_ARRAY(batch->arena, count, struct batch_plain);
     for (size_t i = 0; i < count; i++) {
@@ -475,7 +500,7 @@ bool batch_settle(struct batch *batch, const struct sheet *sheet, bool hands_lat
     if (!batch_settle_columns(batch, error)) {
         return false;
     }
-    if (batch->format != BATCH_JSONL) {
+    if (batch->format != BATCH_JSONL && batch->photographs == NULL) {
         prepare_plain(batch);
     }
     return true;
@@ -491,6 +516,9 @@ bool batch_is_file(const struct batch *batch, int descriptor)
 double batch_share(const struct batch *batch)
 {
     struct stat file;
+    if (batch->photographs != NULL) {
+        return photographs_share(batch);
+    }
     off_t at = lseek(batch->descriptor, 0, SEEK_CUR);
     if (at < 0 || fstat(batch->descriptor, &file) != 0 || !S_ISREG(file.st_mode) ||
         file.st_size == 0) {

@@ -48,6 +48,8 @@ enum decimals { DECIMALS_UNKNOWN, DECIMALS_COMMA, DECIMALS_POINT, DECIMALS_BOTH 
 /* What --batch-format names; BATCH_AUTO sees it from the first line. */
 enum batch_format { BATCH_AUTO, BATCH_CSV, BATCH_TSV, BATCH_JSONL };
 
+struct photographs; /* see cli/batch/photographs.h */
+
 /* The file while it is read. */
 struct batch {
     const char *source; /* for messages */
@@ -84,6 +86,7 @@ struct batch {
     bool is_array;  /* the objects are items of one array, over as many lines as they like */
     bool is_closed; /* and its end was seen */
     long objects;   /* of JSON, read so far */
+    struct photographs *photographs; /* null: the rows are those of a table */
 };
 
 enum {

@@ -2,6 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "cli/batch/gaps.h"
 
+#include "cli/batch/photographs.h"
+
 #include <string.h>
 
 bool gaps_add(struct gaps *gaps, const struct error *failure)
@@ -10,6 +12,7 @@ bool gaps_add(struct gaps *gaps, const struct error *failure)
         struct gap *gap = &gaps->all[i];
         if (strcmp(gap->message, failure->message) == 0) {
             gap->last = failure->line;
+            memcpy(gap->last_source, failure->source, sizeof gap->last_source);
             gap->more++;
             return false;
         }
@@ -17,6 +20,7 @@ bool gaps_add(struct gaps *gaps, const struct error *failure)
     if (gaps->count < GAPS_MOST) {
         struct gap *gap = &gaps->all[gaps->count++];
         memcpy(gap->message, failure->message, sizeof gap->message);
+        memcpy(gap->source, failure->source, sizeof gap->source);
         gap->first = failure->line;
         gap->more = 0;
     }
@@ -84,9 +88,14 @@ void gaps_explain(struct error *failure, const struct batch *batch, const void *
         return; /* too much is given, not too little */
     }
     const char *unsaid = *empty != '\0' ? "empty cells do not" : "no column does, for all rows";
+    const char *lack = batch->photographs != NULL ? photographs_lack(batch) : NULL;
+    if (batch->photographs != NULL) {
+        unsaid = "photographs do not";
+    }
     failure->more =
-        arena_printf(arena, "    known here: %s%s%s\n    an option says what %s%s%s\n",
+        arena_printf(arena, "    known here: %s%s%s\n%s%s%s    an option says what %s%s%s\n",
                      *filled != '\0' ? filled : "nothing", *empty != '\0' ? "; empty: " : "", empty,
+                     lack != NULL ? "    " : "", lack != NULL ? lack : "", lack != NULL ? "\n" : "",
                      unsaid, *options != '\0' ? ": " : "", options);
 }
 
@@ -160,6 +169,12 @@ bool gaps_rest(const struct gaps *gaps, size_t i, const char *source, struct err
     const struct gap *gap = &gaps->all[i];
     if (i >= gaps->count || gap->more == 0) {
         return false;
+    }
+    if (gap->first == 0) { /* files of one row each */
+        fail(rest, ERROR_ROWS, "%zu more %s like it, the last of them %s", gap->more,
+             gap->more == 1 ? "photograph fails" : "photographs fail", gap->last_source);
+        error_locate(rest, gap->source, 0, 0);
+        return true;
     }
     fail(rest, ERROR_ROWS, "%zu more %s like line %ld, the last of them line %ld", gap->more,
          gap->more == 1 ? "row fails" : "rows fail", gap->first, gap->last);

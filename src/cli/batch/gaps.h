@@ -9,7 +9,9 @@
 struct gap {
     char message[sizeof((struct error *)0)->message];
     long first, last; /* lines */
-    size_t more;      /* rows beyond the first */
+    /* and files, where each row is one: the first and the last of them */
+    char source[sizeof((struct error *)0)->source], last_source[sizeof((struct error *)0)->source];
+    size_t more; /* rows beyond the first */
 };
 
 enum { GAPS_MOST = 8 };
@@ -43,7 +45,7 @@ void gaps_refuse(struct error *failure, const struct batch *batch);
 /* The line of names of columns, `line`, has values: say so, and which names would be known. */
 void gaps_refuse_values(struct error *error, const struct batch *batch, struct text line);
 
-/* "46 more rows fail like line 2": gap `i` of a file; false where no more do. */
+/* "46 more rows fail like line 2", or like a photograph: gap `i` of a file; false: no more do. */
 bool gaps_rest(const struct gaps *gaps, size_t i, const char *source, struct error *rest);
 
 #endif

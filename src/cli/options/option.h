@@ -267,6 +267,10 @@ struct pixels_value {
     double total;      /* of "4Mpx" alone */
 };
 
+/* A format or camera of lensdb; the name lies in the reader's arena. */
+void option_sensor_of(const struct reader *reader, const struct lensdb_sensor *found,
+                      struct sensor_value *sensor);
+
 /* A print as the user wrote it, mm; NaN = not given. */
 struct print_value {
     double longer, shorter; /* sides of the paper; of a length alone the longer one */

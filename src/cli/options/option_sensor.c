@@ -115,17 +115,17 @@ static struct text inches_of(struct text text)
     return any && rest.length > 0 && char_is_digit(rest.start[0]) ? rest : (struct text){NULL, 0};
 }
 
-static struct sensor_value name_sensor(const struct reader *reader,
-                                       const struct lensdb_sensor *found)
+void option_sensor_of(const struct reader *reader, const struct lensdb_sensor *found,
+                      struct sensor_value *sensor)
 {
-    struct sensor_value sensor = {.size = found->size};
-    if (!quantity_read(found->focal, &dimension_number, NULL, &sensor.focal, NULL,
+    *sensor = (struct sensor_value){.size = found->size};
+    if (!quantity_read(found->focal, &dimension_number, NULL, &sensor->focal, NULL,
                        &(struct error){0})) {
-        sensor.focal = NAN; /* unknown, or both ends of a zoom */
+        sensor->focal = NAN; /* unknown, or both ends of a zoom */
     }
-    sensor.is_optical = inches_of(found->name).start != NULL;
+    sensor->is_optical = inches_of(found->name).start != NULL;
     const char *size = size_name(reader->arena, found->size);
-    sensor.name = arena_printf(reader->arena, "%.*s%s%.*s (%s)", (int)found->maker.length,
+    sensor->name = arena_printf(reader->arena, "%.*s%s%.*s (%s)", (int)found->maker.length,
                                found->maker.start, found->maker.length > 0 ? " " : "",
                                (int)found->name.length, found->name.start, size);
     /* cameras with a lens that cannot be changed, and that is wide but for the long module of a
@@ -135,24 +135,23 @@ static struct sensor_value name_sensor(const struct reader *reader,
     const bool is_long =
         quantity_read(found->equivalent, &dimension_number, NULL, &equivalent, NULL, &ignored) &&
         equivalent > NORMAL_LENS;
-    sensor.is_wide =
+    sensor->is_wide =
         !is_long && (text_equal(found->class, "phone") || text_equal(found->class, "drone") ||
                      text_equal(found->class, "action"));
-    sensor.fnumber = NAN;
-    if (!isnan(sensor.focal)) {
-        const bool has_fnumber =
-            quantity_read(found->fnumber, &dimension_number, NULL, &sensor.fnumber, NULL, &ignored);
-        sensor.fnumber = has_fnumber ? sensor.fnumber : (double)NAN;
-        sensor.bare_name = sensor.name;
-        sensor.with_lens = arena_printf(
-            reader->arena, "%.*s, its lens %.*s mm%s%.*s)", (int)strlen(sensor.name) - 1,
-            sensor.name, (int)found->focal.length, found->focal.start, has_fnumber ? " f/" : "",
+    sensor->fnumber = NAN;
+    if (!isnan(sensor->focal)) {
+        const bool has_fnumber = quantity_read(found->fnumber, &dimension_number, NULL,
+                                               &sensor->fnumber, NULL, &ignored);
+        sensor->fnumber = has_fnumber ? sensor->fnumber : (double)NAN;
+        sensor->bare_name = sensor->name;
+        sensor->with_lens = arena_printf(
+            reader->arena, "%.*s, its lens %.*s mm%s%.*s)", (int)strlen(sensor->name) - 1,
+            sensor->name, (int)found->focal.length, found->focal.start, has_fnumber ? " f/" : "",
             has_fnumber ? (int)found->fnumber.length : 0, found->fnumber.start);
     }
     if (text_equal(found->pitch_from, "estimate")) {
-        sensor.pitch_note = "worked out from an estimated pixel count, good to about 2 %";
+        sensor->pitch_note = "worked out from an estimated pixel count, good to about 2 %";
     }
-    return sensor;
 }
 
 /* "35mm (36 x 24 mm)", as it is printed, is read as "35mm". */
@@ -180,7 +179,7 @@ static bool read_optical(const struct reader *reader, const struct option *optio
     }
     const char *name = arena_printf(reader->arena, "%.*sin", (int)number.length, number.start);
     if (lensdb_find_sensor(reader->db, text_of(name), &found, &ignored)) {
-        *sensor = name_sensor(reader, &found);
+        option_sensor_of(reader, &found, sensor);
         return true;
     }
     if (!quantity_read(number, &dimension_ratio, NULL, &inches, NULL, error) ||
@@ -294,7 +293,7 @@ static bool read_whole(const struct reader *reader, const struct option *option,
     text = without_main(text);
     /* names first: 6x9 is a trade name, not a size */
     if (lensdb_find_sensor(reader->db, without_size(text), &found, error)) {
-        *sensor = name_sensor(reader, &found);
+        option_sensor_of(reader, &found, sensor);
         return true;
     }
     if (error->code != ERROR_USAGE) {

@@ -407,6 +407,11 @@ static bool parse_operand(struct arguments *arguments, struct text word, struct 
         return true;
     }
     const int at = words->at - 1;
+    if (operand_is_photograph(arguments->command, word)) {
+        arguments->photographs[arguments->photograph_count++] = words->all[at];
+        words->last = NULL;
+        return true;
+    }
     const size_t used =
         operands_read(arguments->command, words->all + at, (size_t)(words->count - at),
                       &arguments->operands[arguments->operand_count], arena);
@@ -438,15 +443,42 @@ static bool parse_operand(struct arguments *arguments, struct text word, struct 
     return unexpected(arguments, words, word, error);
 }
 
+/*
+ * A distance in a word, "hyperfocal", where a far limit may be wanted: the nearest at which all
+ * behind is sharp.
+ */
+static bool arguments_focus_hyperfocal(struct arguments *arguments, struct error *error)
+{
+    struct argument *distance = arguments_find(arguments, text_of("distance"));
+    struct argument *far_limit = arguments_find(arguments, text_of("far"));
+    if (distance == NULL || far_limit == NULL || !distance->is_given ||
+        (far_limit->option->flags & OPTION_GOAL) == 0 ||
+        !text_same(text_trim(distance->text), "hyperfocal")) {
+        return true;
+    }
+    if (far_limit->is_given && far_limit->entry == NULL) {
+        return fail(error, ERROR_USAGE,
+                    "--distance hyperfocal stands for --far inf, and --far is given as well");
+    }
+    distance->is_given = false;
+    far_limit->is_given = true;
+    far_limit->entry = distance->entry;
+    far_limit->text = text_of("inf");
+    arguments->is_hyperfocal = true;
+    arguments_note_given(arguments);
+    return true;
+}
+
 bool arguments_settle(struct arguments *arguments, struct arena *arena, struct error *error)
 {
     const size_t count = arguments->operand_count;
     if (count == 0) {
-        return true;
+        return arguments_focus_hyperfocal(arguments, error);
     }
     const struct option **options = ARENA_ARRAY(arena, count, const struct option *);
     const bool has_focal =
-        arguments_given(arguments, "focal-length") || arguments_given(arguments, "lens");
+        arguments->photograph_count > 0 || arguments_given(arguments, "focal-length") ||
+        arguments_given(arguments, "lens");
     if (!operands_settle(arguments->command, arguments->operands, count, has_focal, options,
                          error)) {
         return false;
@@ -464,7 +496,7 @@ bool arguments_settle(struct arguments *arguments, struct arena *arena, struct e
         argument->text = word;
     }
     arguments_note_given(arguments);
-    return true;
+    return arguments_focus_hyperfocal(arguments, error);
 }
 
 /* What --color asks for: known before anything is complained about. */
@@ -507,6 +539,7 @@ bool arguments_parse(struct arguments *arguments, const struct command *command,
     arguments->command = command;
     arguments->color = color_of(count, all);
     arguments->operands = ARENA_ARRAY(arena, (size_t)count + 1, struct text);
+    arguments->photographs = ARENA_ARRAY(arena, (size_t)count + 1, const char *);
     size_t own = command->option_count + command->artifact_count;
     arguments->all = ARENA_ARRAY(arena, own + common_option_count, struct argument);
     for (size_t i = 0; i < own; i++) {

@@ -62,6 +62,11 @@ bool inputs_spare(const struct arguments *arguments, struct lensdb *db, bool for
     if (force || path == NULL || !place_is_file(path, arena) || stat(path, &file) != 0) {
         return true;
     }
+    for (size_t i = 0; i < arguments->photograph_count; i++) {
+        if (is_name_of(text_of(arguments->photographs[i]), &file, arena)) {
+            return fail(error, ERROR_IO, "%s is also read: --force overwrites it", path);
+        }
+    }
     for (size_t i = 0; i < arguments->count; i++) {
         if (inputs_reads(&arguments->all[i], db, &file, arena)) {
             return fail(error, ERROR_IO, "%s is also read: --force overwrites it", path);

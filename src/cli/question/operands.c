@@ -2,6 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "cli/question/operands.h"
 
+#include "exchange/metadata/photo_file.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -43,6 +45,32 @@ static bool command_has_operands(const struct command *command)
         }
     }
     return false;
+}
+
+/* Common options are found by their names. */
+static bool command_has_batch(const struct command *command)
+{
+    const struct option *common = command_next_common(command, NULL);
+    while (common != NULL && strcmp(common->name, "batch") != 0) {
+        common = command_next_common(command, common);
+    }
+    return common != NULL;
+}
+
+static bool command_takes_photographs(const struct command *command)
+{
+    bool any = false;
+    for (size_t i = 0; i < OPERAND_OPTIONS && !any; i++) {
+        any = operand_option(command, i) != NULL;
+    }
+    any = any || operand_named(command, "time") != NULL;
+    return any && text_equal(text_of(command->group), "photography") &&
+           !command_has_operands(command) && command_has_batch(command);
+}
+
+bool operand_is_photograph(const struct command *command, struct text word)
+{
+    return file_type_of(photo_types, word) != NULL && command_takes_photographs(command);
 }
 
 /* Is a value written as only those of one dimension are: with its unit, its prefix, as 1/125? */
@@ -202,6 +230,9 @@ const char *operands_usage(const struct command *command, struct arena *arena)
         if (operand_option(command, i) != NULL) {
             usage = arena_printf(arena, "%s [%s]", usage, operand_options[i].example);
         }
+    }
+    if (command_takes_photographs(command)) {
+        usage = arena_printf(arena, "%s [PHOTO.jpg...]", usage);
     }
     return usage;
 }
