@@ -13,6 +13,7 @@
     X(batch)                                                                                       \
     X(command)                                                                                     \
     X(config)                                                                                      \
+    X(exif)                                                                                        \
     X(glass) X(image) X(import) X(lens) X(odd) X(part) X(quantity) X(range) X(scene) X(tsv)
 #define DECLARE(name) int replay_##name(const uint8_t *data, size_t size);
 #define ENTER(name)   {#name, replay_##name},

@@ -397,16 +397,11 @@ static bool text_bytes(const void *context, size_t at, void *into, size_t count)
     return true;
 }
 
-struct exif_bytes exif_bytes_of(const struct text *text)
-{
-    return (struct exif_bytes){.read = text_bytes, .context = text, .length = text->length};
-}
-
 void exif_notes(struct text text, struct image *image, struct arena *arena)
 {
     struct metadata metadata;
     struct error ignored;
-    const struct exif_bytes bytes = exif_bytes_of(&text);
+    const struct exif_bytes bytes = {.read = text_bytes, .context = &text, .length = text.length};
     metadata_clear(&metadata);
     if (text.start == NULL) {
         return;

@@ -17,9 +17,6 @@ struct exif_bytes {
     size_t length;
 };
 
-/* Those of a text, which is to outlive them. */
-struct exif_bytes exif_bytes_of(const struct text *text);
-
 /*
  * Read what a JPEG or TIFF says of the camera and its settings. Of a JPEG the segments before the
  * picture are looked through, of a TIFF the first list of tags; of both the list of Exif.

@@ -15,9 +15,9 @@
  * Given     reader  its arena keeps the name
  *           sensor  receives it; the name says how it was found
  *           doubts  null: nobody listens
- * Formula   diagonal = sqrt(36^2 + 24^2) focal/equivalent, in the shape of the sensor; of an unknown
- *           camera in that of the picture if this is about 4:3 or 3:2, else 3:2, below the size
- *           of APS-C 4:3
+ * Formula   diagonal = sqrt(36^2 + 24^2) focal/equivalent, in the shape of the sensor; of an
+ *           unknown camera in that of the picture if this is about 4:3 or 3:2, else 3:2, below the
+ *           size of APS-C 4:3
  * Source    [Exif10] FocalLengthIn35mmFilm; by the diagonal as in sensor_crop
  * Errors    ERROR_USAGE: the camera is unknown, and the file says no equivalent focal length;
  *           ERROR_DATA: a fault of the user's table of cameras

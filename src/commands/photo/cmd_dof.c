@@ -18,7 +18,8 @@ static const struct option options[] = {
     OPTION_NA(na, "numerical aperture at the subject, in place of -N",
               .excludes = "aperture near far dof hyperfocal stack exact scale t-stop close-up tube "
                           "converter"),
-    OPTION_DISTANCE(distance, OPTION_SETTING, "distance of the subject; inf for stars"),
+    OPTION_DISTANCE(distance, OPTION_SETTING,
+                    "distance of the subject; inf for stars, or hyperfocal"),
     SHARPNESS_OPTIONS_OF_LENS(sharp, lens, 0, "d/1500", coc_is_pixels),
     OPTION_PUPIL_OF_LENS(lens.pupil, NULL),
     OPTION_FROM(lens.from, distances_from),

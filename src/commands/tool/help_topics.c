@@ -88,7 +88,8 @@ const struct topic_text help_topics[] = {
      "by an option's letter or name or by an output column, and may carry a unit: f_mm, s_m, "
      "focal_length, coc_mm. Other columns are passed through. An option on the command line is "
      "what rows take that have no value of their own. A bad row is reported with its line, keeps "
-     "its place and has an 'error'.",
+     "its place and has an 'error'. Photographs are rows too: dof IMG_1.jpg IMG_2.CR3 takes the "
+     "settings that the camera wrote, by exiftool if it is installed.",
      NULL},
     {"status", "exit statuses",
      "0  fine                          3  some rows of a batch or sweep failed\n"

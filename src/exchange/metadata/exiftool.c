@@ -46,7 +46,8 @@ static struct text tag_text(const struct json_value *object, const char *tag)
 static double tag_positive(const struct json_value *object, const char *tag)
 {
     double number;
-    const bool is_number = text_number(tag_text(object, tag), NUMBER_UNSCALED, &number);
+    struct text values = tag_text(object, tag); /* of several, "100 0", the first */
+    const bool is_number = text_number(text_cut(&values, ' '), NUMBER_UNSCALED, &number);
     return is_number && number > 0 && isfinite(number) ? number : NAN;
 }
 
