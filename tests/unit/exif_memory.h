@@ -5,6 +5,8 @@
 
 #include "base/image/exif.h"
 
+#include <string.h>
+
 static inline bool exif_memory_read(const void *context, size_t at, void *into, size_t count)
 {
     memcpy(into, (const char *)context + at, count);
