@@ -14,6 +14,7 @@ candidates() { echo "[$*]"; lenscalc completion words -- "$@" | cut -f 1 | head 
 echo "with meanings: $(lenscalc completion words -- d | grep -c "$(printf 'd[a-z]*\t[a-z]')")"
 candidates hyp
 candidates dof --mod
+candidates dof IMG
 candidates dof --model e
 candidates dof --model=exact,pop
 candidates list fo

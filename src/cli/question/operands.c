@@ -57,7 +57,7 @@ static bool command_has_batch(const struct command *command)
     return common != NULL;
 }
 
-static bool command_takes_photographs(const struct command *command)
+bool command_takes_photographs(const struct command *command)
 {
     bool any = false;
     for (size_t i = 0; i < OPERAND_OPTIONS && !any; i++) {

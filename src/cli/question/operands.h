@@ -29,10 +29,10 @@ bool operands_settle(const struct command *command, const struct text *operands,
 /* "dof 50mm f/2.8 3m": a question with the first of them; null if it takes fewer than two. */
 const char *operands_example(const struct command *command, struct arena *arena);
 
-/*
- * Is the word the name of a photograph, by its ending, and does the command take such? Those of
- * photography do whose options photographs say and that answer rows.
- */
+/* Does it take photographs? Those of photography do whose options they fill and that answer rows. */
+bool command_takes_photographs(const struct command *command);
+
+/* Does it, and is the word the name of one, by its ending? */
 bool operand_is_photograph(const struct command *command, struct text word);
 
 /* " [50mm] [f/2.8] [3m]", for the usage of a command; "" if it takes none. */

@@ -7,6 +7,7 @@
 #include "cli/answer/columns.h"
 #include "cli/answer/help.h"
 #include "cli/question/configuration.h"
+#include "cli/question/operands.h"
 #include "exchange/lens_open.h"
 #include "report/row.h"
 
@@ -354,6 +355,8 @@ static void offer_operand(struct typed_words *typing)
         output_string(typing->output, CANDIDATES_FILES "\n");
     } else if (operand != NULL) {
         offer_value(typing, operand);
+    } else if (command_takes_photographs(typing->command)) {
+        output_string(typing->output, CANDIDATES_FILES "\n");
     }
 }
 
