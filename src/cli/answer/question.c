@@ -61,14 +61,12 @@ static bool question_open_batch(struct driver *driver, struct error *error)
                                    .sheet = question_sheet(driver),
                                    .commands = driver->commands,
                                    .constants = driver->constants};
-    const bool is_open =
-        driver->photographs.count > 0
-            ? photographs_open(&driver->batch, &driver->photographs, error)
-            : batch_open(&driver->batch, common->batch, (enum batch_format)common->batch_format,
-                         error);
-    if (!is_open ||
-        !batch_settle(&driver->batch, question_sheet(driver), driver->report.format->is_keyed,
-                      error)) {
+    const bool is_open = driver->photographs.count > 0
+                             ? photographs_open(&driver->batch, &driver->photographs, error)
+                             : batch_open(&driver->batch, common->batch,
+                                          (enum batch_format)common->batch_format, error);
+    if (!is_open || !batch_settle(&driver->batch, question_sheet(driver),
+                                  driver->report.format->is_keyed, error)) {
         return false;
     }
     driver->passed = driver->batch.passed;
@@ -229,8 +227,8 @@ bool question_settle(struct driver *driver, struct error *error)
     if (!question_build(driver, error)) {
         return false;
     }
-    if (!photographs_find(&driver->arguments, &driver->common, &driver->photographs,
-                          &driver->arena, error)) {
+    if (!photographs_find(&driver->arguments, &driver->common, &driver->photographs, &driver->arena,
+                          error)) {
         return false;
     }
     driver->is_batch = driver->common.batch != NULL || driver->photographs.count > 0;

@@ -126,8 +126,8 @@ void option_sensor_of(const struct reader *reader, const struct lensdb_sensor *f
     sensor->is_optical = inches_of(found->name).start != NULL;
     const char *size = size_name(reader->arena, found->size);
     sensor->name = arena_printf(reader->arena, "%.*s%s%.*s (%s)", (int)found->maker.length,
-                               found->maker.start, found->maker.length > 0 ? " " : "",
-                               (int)found->name.length, found->name.start, size);
+                                found->maker.start, found->maker.length > 0 ? " " : "",
+                                (int)found->name.length, found->name.start, size);
     /* cameras with a lens that cannot be changed, and that is wide but for the long module of a
        phone or drone */
     double equivalent = NAN;

@@ -476,9 +476,9 @@ bool arguments_settle(struct arguments *arguments, struct arena *arena, struct e
         return arguments_focus_hyperfocal(arguments, error);
     }
     const struct option **options = ARENA_ARRAY(arena, count, const struct option *);
-    const bool has_focal =
-        arguments->photograph_count > 0 || arguments_given(arguments, "focal-length") ||
-        arguments_given(arguments, "lens");
+    const bool has_focal = arguments->photograph_count > 0 ||
+                           arguments_given(arguments, "focal-length") ||
+                           arguments_given(arguments, "lens");
     if (!operands_settle(arguments->command, arguments->operands, count, has_focal, options,
                          error)) {
         return false;

@@ -29,8 +29,8 @@ struct arguments {
     size_t operand_count;
     const char **photographs; /* files that stand without an option, too */
     size_t photograph_count;
-    bool is_hyperfocal; /* "--distance hyperfocal": --far inf of rows without a distance */
-    enum color_when color;              /* of messages, also of those about these words */
+    bool is_hyperfocal;    /* "--distance hyperfocal": --far inf of rows without a distance */
+    enum color_when color; /* of messages, also of those about these words */
     const struct config_file *defaults; /* of the user's; null: nobody looked for any */
 };
 

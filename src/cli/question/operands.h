@@ -29,7 +29,7 @@ bool operands_settle(const struct command *command, const struct text *operands,
 /* "dof 50mm f/2.8 3m": a question with the first of them; null if it takes fewer than two. */
 const char *operands_example(const struct command *command, struct arena *arena);
 
-/* Does it take photographs? Those of photography do whose options they fill and that answer rows. */
+/* Does it take photographs? Those of photography do whose options they fill. */
 bool command_takes_photographs(const struct command *command);
 
 /* Does it, and is the word the name of one, by its ending? */
