@@ -443,37 +443,11 @@ static bool parse_operand(struct arguments *arguments, struct text word, struct 
     return unexpected(arguments, words, word, error);
 }
 
-/*
- * A distance in a word, "hyperfocal", where a far limit may be wanted: the nearest at which all
- * behind is sharp.
- */
-static bool arguments_focus_hyperfocal(struct arguments *arguments, struct error *error)
-{
-    struct argument *distance = arguments_find(arguments, text_of("distance"));
-    struct argument *far_limit = arguments_find(arguments, text_of("far"));
-    if (distance == NULL || far_limit == NULL || !distance->is_given ||
-        (far_limit->option->flags & OPTION_GOAL) == 0 ||
-        !text_same(text_trim(distance->text), "hyperfocal")) {
-        return true;
-    }
-    if (far_limit->is_given && far_limit->entry == NULL) {
-        return fail(error, ERROR_USAGE,
-                    "--distance hyperfocal stands for --far inf, and --far is given as well");
-    }
-    distance->is_given = false;
-    far_limit->is_given = true;
-    far_limit->entry = distance->entry;
-    far_limit->text = text_of("inf");
-    arguments->is_hyperfocal = true;
-    arguments_note_given(arguments);
-    return true;
-}
-
 bool arguments_settle(struct arguments *arguments, struct arena *arena, struct error *error)
 {
     const size_t count = arguments->operand_count;
     if (count == 0) {
-        return arguments_focus_hyperfocal(arguments, error);
+        return operands_focus_hyperfocal(arguments, error);
     }
     const struct option **options = ARENA_ARRAY(arena, count, const struct option *);
     const bool has_focal = arguments->photograph_count > 0 ||
@@ -496,7 +470,7 @@ bool arguments_settle(struct arguments *arguments, struct arena *arena, struct e
         argument->text = word;
     }
     arguments_note_given(arguments);
-    return arguments_focus_hyperfocal(arguments, error);
+    return operands_focus_hyperfocal(arguments, error);
 }
 
 /* What --color asks for: known before anything is complained about. */
