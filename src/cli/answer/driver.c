@@ -11,6 +11,7 @@
 #include "cli/answer/rows.h"
 #include "cli/batch/batch.h"
 #include "cli/interrupt.h"
+#include "cli/question/distance_word.h"
 #include "cli/question/idle.h"
 #include "cli/question/inputs.h"
 #include "report/terminal.h"
@@ -212,7 +213,8 @@ static bool driver_prepare(struct driver *driver, int count, char **words, struc
     driver->asking = (struct option_query){asked_given, asked_in_rows, driver};
     if (!arguments_parse(&driver->arguments, command, count, words, &driver->arena, error) ||
         !question_configure(driver, error) ||
-        !arguments_settle(&driver->arguments, &driver->arena, error)) {
+        !arguments_settle(&driver->arguments, &driver->arena, error) ||
+        !distance_word_settle(&driver->arguments, error)) {
         return false;
     }
     if (driver->defaults.is_there) {

@@ -447,7 +447,7 @@ bool arguments_settle(struct arguments *arguments, struct arena *arena, struct e
 {
     const size_t count = arguments->operand_count;
     if (count == 0) {
-        return operands_focus_hyperfocal(arguments, error);
+        return true;
     }
     const struct option **options = ARENA_ARRAY(arena, count, const struct option *);
     const bool has_focal = arguments->photograph_count > 0 ||
@@ -470,7 +470,7 @@ bool arguments_settle(struct arguments *arguments, struct arena *arena, struct e
         argument->text = word;
     }
     arguments_note_given(arguments);
-    return operands_focus_hyperfocal(arguments, error);
+    return true;
 }
 
 /* What --color asks for: known before anything is complained about. */

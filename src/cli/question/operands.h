@@ -3,7 +3,7 @@
 #ifndef LENSCALC_CLI_QUESTION_OPERANDS_H
 #define LENSCALC_CLI_QUESTION_OPERANDS_H
 
-#include "cli/question/arguments.h"
+#include "cli/question/command.h"
 
 /*
  * A value that shows by its notation what it is, as 50mm, f/2.8, 1/125 and iso400 do, of a command
@@ -28,14 +28,6 @@ bool operands_settle(const struct command *command, const struct text *operands,
 
 /* "dof 50mm f/2.8 3m": a question with the first of them; null if it takes fewer than two. */
 const char *operands_example(const struct command *command, struct arena *arena);
-
-/*
- * A distance in a word, "hyperfocal", where a far limit may be wanted: the nearest at which all
- * behind is sharp, --far inf.
- *
- * Errors    ERROR_USAGE: --far is given as well
- */
-bool operands_focus_hyperfocal(struct arguments *arguments, struct error *error);
 
 /* Does it take photographs? Those of photography do whose options they fill. */
 bool command_takes_photographs(const struct command *command);
