@@ -6,8 +6,8 @@
 #include "cli/question/arguments.h"
 
 /*
- * "--distance hyperfocal", where a far limit may be wanted: the nearest distance at which all behind
- * is sharp, --far inf.
+ * "--distance hyperfocal", where a far limit may be wanted: the nearest distance with which all
+ * behind is sharp, --far inf.
  *
  * Errors    ERROR_USAGE: --far is given as well
  */
