@@ -123,7 +123,7 @@ def check_row(checks, name, system, row, distance):
           abs(distance) + system.length + abs(image) + swing * abs(distance))
     checks.check(row["object_kind"] == ("virtual" if distance < 0 else "real") and
                  row["image_kind"] == ("virtual" if image < 0 else "real") and
-                 row["orientation"] == ("erect" if m > 0 else "inverted"),
+                 row["orientation"] == ("upright" if m > 0 else "inverted"),
                  f"{name}: {row['object_kind']}, {row['image_kind']}, {row['orientation']}")
 
 
@@ -288,7 +288,7 @@ def check_closed_forms(checks, program):
     # aplanatic: 16.25 = R + R/n before the vertex, the image R + n R before it, m = n^2
     close(checks, "aplanatic point: image", row["image_rear_mm"], Decimal(-26), Decimal(26))
     close(checks, "aplanatic point: m", row["magnification"], Decimal("2.56"), Decimal(3))
-    checks.check(row["image_kind"] == "virtual" and row["orientation"] == "erect",
+    checks.check(row["image_kind"] == "virtual" and row["orientation"] == "upright",
                  f"aplanatic point: {row}")
     same = answer(program, ["-", "--object-medium", "1.6", "--object", "16.25", "--from", "front"],
                   single)[0]
