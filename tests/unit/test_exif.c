@@ -216,10 +216,10 @@ static void test_names(void)
         "0123456789012345678901234567890123456789012345678901234567890123456789";
     metadata_name(kept, text_of(long_name));
     CHECK(strlen(kept) == METADATA_NAME - 1);
-    CHECK(photo_is_plain(file_type_of(photo_types, text_of("a.JPG"))));
-    CHECK(!photo_is_plain(file_type_of(photo_types, text_of("a.Cr3"))));
-    CHECK(file_type_of(photo_types, text_of("a.csv")) == NULL);
-    CHECK(file_type_of(photo_types, text_of(".jpg")) == NULL);
+    CHECK(photo_is_plain(photo_ending(text_of("a.JPG"))));
+    CHECK(!photo_is_plain(photo_ending(text_of("a.Cr3"))));
+    CHECK(photo_ending(text_of("a.csv")) == NULL);
+    CHECK(photo_ending(text_of(".jpg")) == NULL);
 }
 
 /* What exiftool 12.57 prints; names with '?' for what is no UTF-8; the end of it missing. */

@@ -71,13 +71,13 @@ static bool row_can_be_read(struct photograph_row *row, struct arena *arena)
 static void row_read_plain(struct photograph_row *row, struct arena *arena)
 {
     struct error error;
-    const struct file_type *type = file_type_of(photo_types, text_of(row->path));
-    if (!photo_is_plain(type)) {
+    const char *ending = photo_ending(text_of(row->path));
+    if (!photo_is_plain(ending)) {
         row_refuse(row, ERROR_DATA,
                    arena_printf(arena,
                                 "%s files are read with exiftool, which is not installed "
                                 "(Debian: libimage-exiftool-perl)",
-                                type->ending),
+                                ending),
                    arena);
     } else if (!photo_file_read(row->path, &row->metadata, &error)) {
         row->failure = failure_keep(&error, arena);

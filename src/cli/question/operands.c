@@ -70,7 +70,7 @@ bool command_takes_photographs(const struct command *command)
 
 bool operand_is_photograph(const struct command *command, struct text word)
 {
-    return file_type_of(photo_types, word) != NULL && command_takes_photographs(command);
+    return photo_ending(word) != NULL && command_takes_photographs(command);
 }
 
 /* Is a value written as only those of one dimension are: with its unit, its prefix, as 1/125? */

@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "exchange/metadata/photo_file.h"
 
+#include "base/file_type.h"
 #include "base/image/exif.h"
 
 #include <errno.h>
@@ -10,38 +11,28 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* Those that the program reads itself stand first. */
-static const struct file_type types[] = {
-    {{"jpeg", "JPEG"}, ".jpg"},      {{"jpeg", "JPEG"}, ".jpeg"},
-    {{"jpeg", "JPEG"}, ".jpe"},      {{"tiff", "TIFF"}, ".tif"},
-    {{"tiff", "TIFF"}, ".tiff"},     {{"heif", "HEIF"}, ".heic"},
-    {{"heif", "HEIF"}, ".heif"},     {{"heif", "HEIF"}, ".hif"},
-    {{"raw", "Adobe"}, ".dng"},      {{"raw", "Canon"}, ".cr3"},
-    {{"raw", "Canon"}, ".cr2"},      {{"raw", "Canon"}, ".crw"},
-    {{"raw", "Nikon"}, ".nef"},      {{"raw", "Nikon"}, ".nrw"},
-    {{"raw", "Sony"}, ".arw"},       {{"raw", "Sony"}, ".sr2"},
-    {{"raw", "Sony"}, ".srf"},       {{"raw", "Fujifilm"}, ".raf"},
-    {{"raw", "Panasonic"}, ".rw2"},  {{"raw", "Leica"}, ".rwl"},
-    {{"raw", "Olympus"}, ".orf"},    {{"raw", "OM System"}, ".ori"},
-    {{"raw", "Pentax"}, ".pef"},     {{"raw", "Samsung"}, ".srw"},
-    {{"raw", "Sigma"}, ".x3f"},      {{"raw", "Hasselblad"}, ".3fr"},
-    {{"raw", "Hasselblad"}, ".fff"}, {{"raw", "Phase One"}, ".iiq"},
-    {{"raw", "Leaf"}, ".mos"},       {{"raw", "Mamiya"}, ".mef"},
-    {{"raw", "Minolta"}, ".mrw"},    {{"raw", "Kodak"}, ".dcr"},
-    {{"raw", "Kodak"}, ".kdc"},      {{"raw", "Epson"}, ".erf"},
-    {{"raw", "GoPro"}, ".gpr"},
-};
+/* Of JPEG, TIFF, HEIF, and raw files of Adobe, Canon, Nikon, Sony, Fujifilm, Panasonic, Leica,
+   Olympus, OM System, Pentax, Samsung, Sigma, Hasselblad, Phase One, Leaf, Mamiya, Minolta, Kodak,
+   Epson and GoPro. Those that the program reads itself stand first. */
+static const char endings[][6] = {".jpg", ".jpeg", ".jpe", ".tif", ".tiff", ".heic", ".heif",
+                                  ".hif", ".dng",  ".cr3", ".cr2", ".crw",  ".nef",  ".nrw",
+                                  ".arw", ".sr2",  ".srf", ".raf", ".rw2",  ".rwl",  ".orf",
+                                  ".ori", ".pef",  ".srw", ".x3f", ".3fr",  ".fff",  ".iiq",
+                                  ".mos", ".mef",  ".mrw", ".dcr", ".kdc",  ".erf",  ".gpr"};
+enum { ENDINGS = sizeof endings / sizeof endings[0], PLAIN_ENDINGS = 5 };
 
-enum { TYPES = sizeof types / sizeof types[0], PLAIN_TYPES = 5 };
-
-const struct file_type *photo_types(size_t i)
+const char *photo_ending(struct text path)
 {
-    return i < TYPES ? &types[i] : NULL;
+    size_t i = 0;
+    while (i < ENDINGS && !file_type_ends(path, endings[i])) {
+        i++;
+    }
+    return i < ENDINGS ? endings[i] : NULL;
 }
 
-bool photo_is_plain(const struct file_type *type)
+bool photo_is_plain(const char *ending)
 {
-    return type < types + PLAIN_TYPES;
+    return ending < endings[PLAIN_ENDINGS];
 }
 
 static bool file_bytes(const void *context, size_t at, void *into, size_t count)

@@ -4,16 +4,16 @@
 #define LENSCALC_EXCHANGE_METADATA_PHOTO_FILE_H
 
 #include "base/error.h"
-#include "base/file_type.h"
 #include "base/image/metadata.h"
+#include "base/text.h"
 
 #include <stdbool.h>
 
-/* Kinds of files that are photographs: .jpg, .heic, .cr3, ... */
-const struct file_type *photo_types(size_t i);
+/* How the name of a photograph ends, ".jpg", ".heic" or ".cr3"; null: it is none of one. */
+const char *photo_ending(struct text path);
 
-/* Is it of a kind whose Exif data are read without another program? */
-bool photo_is_plain(const struct file_type *type);
+/* Is that of a kind whose Exif data are read without another program? */
+bool photo_is_plain(const char *ending);
 
 /*
  * What the Exif data of a JPEG or TIFF file say. Nothing of it is read but the lists of tags, and
