@@ -249,7 +249,8 @@ bool command_has_defaults(const struct command *command)
 bool command_solves(const struct command *command)
 {
     return strcmp(command->group, "photography") == 0 ||
-           strcmp(command->group, "one surface, one lens") == 0;
+           strcmp(command->group, "one surface, one lens") == 0 ||
+           strcmp(command->group, "a lens") == 0;
 }
 
 /* What a command must have for an option to do anything, and what is said where it has not. */

@@ -144,13 +144,28 @@ static bool trial_is_answered(struct driver *driver)
     return done;
 }
 
-/* A default of what the command solves for where it is not given: an f-number, a distance. */
+/* A default that may be one value too many: a number, a lens, or, if nothing else is, a sensor. */
 static bool is_solved_for(const struct argument *argument)
 {
-    const struct option *option = argument->option;
+    const struct option_kind *kind = argument->option->kind;
     return argument->is_given && argument->is_input && argument_rank(argument) < RANK_KIT &&
-           option->fallback == NULL &&
-           (option->kind->number_of != NULL || option->kind == &kind_lens);
+           (kind->number_of != NULL || kind == &kind_lens || kind == &kind_sensor);
+}
+
+/* The places of such defaults, sensors last; their count. */
+static size_t find_solved_for(const struct arguments *arguments, size_t places[MOST_SOLVED])
+{
+    size_t count = 0;
+    for (int sensors = 0; sensors <= 1; sensors++) {
+        for (size_t i = 0; i < arguments->count && count < MOST_SOLVED; i++) {
+            const struct argument *argument = &arguments->all[i];
+            if (is_solved_for(argument) &&
+                (argument->option->kind == &kind_sensor) == (sensors == 1)) {
+                places[count++] = i;
+            }
+        }
+    }
+    return count;
 }
 
 static int count_bits(unsigned set)
@@ -169,12 +184,8 @@ static int count_bits(unsigned set)
 static bool question_yield(struct driver *driver, struct error *error)
 {
     struct arguments *arguments = &driver->arguments;
-    size_t places[MOST_SOLVED], count = 0;
-    for (size_t i = 0; i < arguments->count; i++) {
-        if (is_solved_for(&arguments->all[i]) && count < MOST_SOLVED) {
-            places[count++] = i;
-        }
-    }
+    size_t places[MOST_SOLVED];
+    const size_t count = find_solved_for(arguments, places);
     if (count == 0 || trial_is_answered(driver)) {
         return true;
     }
