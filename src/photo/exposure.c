@@ -135,7 +135,7 @@ static bool exposure_find_unknown(struct exposure_given *g, struct exposure *x, 
              "too little is given: of {f-number}, {exposure time} and a light (" ANY_LIGHT
              ") two are needed ({ISO speed} is 100 unless given)");
         return is_given(g->t) && g->loss > 0
-                   ? error_hint(error, "a time metered without the filter is --metered")
+                   ? error_hint(error, "a time metered without the filter is {metered time}")
                    : false;
     }
     if (missing == 0 && is_given(g->ev)) {

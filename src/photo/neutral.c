@@ -1,4 +1,4 @@
-/* photo/neutral.c - neutral-density filters to put on for a wanted loss of light. */
+/* photo/neutral.c - neutral-density filters to put on for a wanted light loss. */
 /* SPDX-License-Identifier: MIT */
 #include "photo/neutral.h"
 

@@ -1,4 +1,4 @@
-/* photo/neutral.h - neutral-density filters to put on for a wanted loss of light. */
+/* photo/neutral.h - neutral-density filters to put on for a wanted light loss. */
 /* SPDX-License-Identifier: MIT */
 #ifndef LENSCALC_PHOTO_NEUTRAL_H
 #define LENSCALC_PHOTO_NEUTRAL_H
@@ -18,7 +18,7 @@ struct neutral_stack {
 };
 
 /*
- * The stacks of filters that come nearest to a wanted loss of light, from both sides.
+ * The stacks of filters that come nearest to a wanted light loss, from both sides.
  *
  * Given     strengths  stops of each filter there is, ascending, > 0; each is there once
  *           count      of them, up to NEUTRAL_STRENGTHS

@@ -204,7 +204,7 @@ static void test_refusals(void)
         {{INFINITY, 1, 9, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN}, ERROR_DOMAIN, "f-number"},
         {{8, NAN, 100, NAN, NAN, 0, NAN, NAN, NAN, NAN, NAN}, ERROR_DOMAIN, "luminance"},
         {{8, NAN, 100, 101, NAN, NAN, NAN, NAN, NAN, NAN, NAN}, ERROR_DOMAIN, "-100 to 100"},
-        {{8, 1, 100, NAN, NAN, NAN, NAN, NAN, NAN, -1, NAN}, ERROR_DOMAIN, "loss of light"},
+        {{8, 1, 100, NAN, NAN, NAN, NAN, NAN, NAN, -1, NAN}, ERROR_DOMAIN, "light loss"},
         {{8, 1, 100, NAN, NAN, NAN, NAN, 0, NAN, NAN, NAN}, ERROR_DOMAIN, "meter constant K"},
         {{8, NAN, 100, 5, NAN, NAN, 9, NAN, NAN, NAN, NAN}, ERROR_USAGE, "illuminance"},
         {{8, NAN, 100, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN}, ERROR_USAGE, "luminance"},

@@ -272,7 +272,7 @@ static void test_refused(void)
         double plane;
         const char *message;
     } cases[] = {
-        {inner, {CONJUGATE_OBJECT, CONJUGATE_FROM_SENSOR, 259, 0}, 200, "it reaches 260 mm"},
+        {inner, {CONJUGATE_OBJECT, CONJUGATE_FROM_SENSOR, 259, 0}, 200, "which reaches 260 mm"},
         {inner, {CONJUGATE_OBJECT, CONJUGATE_FROM_SENSOR, 260.5, 0}, 200, "no movement brings"},
         {inner, {CONJUGATE_OBJECT, CONJUGATE_FROM_FRONT, 20, 0}, 200, "from -60 to 200 mm"},
         {both, {CONJUGATE_OBJECT, CONJUGATE_FROM_FRONT, 20, 0}, 200, "from -60 mm"},

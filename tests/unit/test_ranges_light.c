@@ -54,9 +54,9 @@ static void test_exposure(void)
     INSIDE(exposure_solve(GIVEN(.N = 8, .t = 1, .loss = 200), &x, &error));
     INSIDE(exposure_solve(GIVEN(.N = 8, .t = 1, .loss = -0.3), &x, &error));
     OUTSIDE(exposure_solve(GIVEN(.N = 8, .t = 1, .loss = 200.5), &x, &error),
-            "loss of light 200.5 stops lies outside -0.322 to 200 stops");
+            "light loss 200.5 stops lies outside -0.322 to 200 stops");
     OUTSIDE(exposure_solve(GIVEN(.N = 8, .t = 1, .loss = -0.5), &x, &error),
-            "loss of light -0.5 stops lies outside -0.322 to 200 stops");
+            "light loss -0.5 stops lies outside -0.322 to 200 stops");
     INSIDE(exposure_solve(GIVEN(.N = 8, .t = 1, .compensation = 100), &x, &error));
     INSIDE(exposure_solve(GIVEN(.N = 8, .t = 1, .compensation = -100), &x, &error));
     OUTSIDE(exposure_solve(GIVEN(.N = 8, .t = 1, .compensation = 100.5), &x, &error),
@@ -148,9 +148,9 @@ static void test_losses(void)
     INSIDE(light_loss(LOSS(.stops = 100), &stops, &error));
     CHECK_NEAR(stops, 100, 0, "as given");
     OUTSIDE(light_loss(LOSS(.stops = 100.5), &stops, &error),
-            "loss of light 100.5 stops lies outside 0 to 100 stops");
+            "light loss 100.5 stops lies outside 0 to 100 stops");
     OUTSIDE(light_loss(LOSS(.stops = -0.5), &stops, &error),
-            "loss of light -0.5 stops lies outside 0 to 100 stops");
+            "light loss -0.5 stops lies outside 0 to 100 stops");
     INSIDE(light_loss(LOSS(.density = 30), &stops, &error));
     CHECK_NEAR(stops, 99.65784284662087, 1e-13, "30/log10(2)");
     OUTSIDE(light_loss(LOSS(.density = 30.5), &stops, &error), "density 30.5 lies outside 0 to 30");
@@ -251,9 +251,9 @@ static void test_sensor(void)
     OUTSIDE(focal_plane_exposure(0.5, 1, 8, 0, 0, &H, &error),
             "exposure time 0 s must be above 0 and finite");
     OUTSIDE(focal_plane_exposure(0.5, 1, 8, 1, -0.5, &H, &error),
-            "loss of light -0.5 stops lies outside -0.322 to 200 stops");
+            "light loss -0.5 stops lies outside -0.322 to 200 stops");
     OUTSIDE(focal_plane_exposure(0.5, 1, 8, 1, 200.5, &H, &error),
-            "loss of light 200.5 stops lies outside -0.322 to 200 stops");
+            "light loss 200.5 stops lies outside -0.322 to 200 stops");
 }
 
 static bool plan_of(double from, double to, double step, double shots, struct bracket *plan)
@@ -358,9 +358,9 @@ static void test_flash(void)
     OUTSIDE(flash_solve(FLASH(.GN = 9, .N = 8, .power = 1.25), &unknown, &error),
             "flash power 1.25 must lie above 0 and up to 1");
     OUTSIDE(flash_solve(FLASH(.GN = 9, .N = 8, .loss = 100.5), &unknown, &error),
-            "loss of light 100.5 stops lies outside 0 to 100 stops");
+            "light loss 100.5 stops lies outside 0 to 100 stops");
     OUTSIDE(flash_solve(FLASH(.GN = 9, .N = 8, .loss = -0.5), &unknown, &error),
-            "loss of light -0.5 stops lies outside 0 to 100 stops");
+            "light loss -0.5 stops lies outside 0 to 100 stops");
     MISUSED(flash_solve(FLASH(.GN = 9), &unknown, &error),
             "too little is given: of guide number, f-number and distance two are needed");
     OUTSIDE(flash_solve(FLASH(.GN = 1, .N = 2, .d = 2), &unknown, &error),
