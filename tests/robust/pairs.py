@@ -151,7 +151,7 @@ VALUES = {
     "object-medium": "1.33", "image-medium": "1.33", "steps": "3", "height": "6mm",
     "height/motion": "0.5m", "power/conjugate": "5dpt", "then": "gap=20mm,f=50mm", "refracted": "20deg",
     "diagram": "rays.svg",
-    "near-point": "200mm", "temperature": "30C", "pressure": "900hPa", "method": "geometric",
+    "near-point": "200mm", "mirror": "concave", "temperature": "30C", "pressure": "900hPa", "method": "geometric",
     "size": "48", "size/psf": "48", "rays": "30", "points": "5", "energy": "80%", "aim": "entrance",
     "pattern": "hexapolar", "scale/convert": "2", "pitch/psf": "1um", "pitch/render": "3um", "stop-diameter": "9mm",
     "pitch/stars": "5um", "binoculars": "8x30", "telescope": "900mm", "diameter": "150mm",

@@ -45,7 +45,7 @@ static const struct option options[] = {
      .column = "object_height", .flags = OPTION_NO_INFINITY,
      .help = "height of the object: brings that of the image"},
     {MEASURE(near_point, length, "mm", "LENGTH"), .name = "near-point", .fallback = "250", ABOVE_0,
-     .excludes = "lens",
+     .excludes = "lens then mirror",
      .help = "distance at which the naked eye looks, for the power of a magnifier"},
     {ASKED(steps), .name = "steps", .wants = "then",
      .help = "a row for each lens before that of all of them"},

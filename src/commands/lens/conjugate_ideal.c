@@ -133,7 +133,7 @@ static bool conjugate_check_ideal(const struct conjugate_input *input, struct er
     if (input->ideal.mirror == MIRROR_NONE) {
         return true;
     }
-    if (input->from != FROM_LENS && input->from != CONJUGATE_FROM_FRONT) {
+    if (input->from != FROM_LENS) {
         return fail(error, ERROR_USAGE,
                     "distances of a mirror are measured from it: no {--from} %s",
                     conjugate_froms[input->from].word);

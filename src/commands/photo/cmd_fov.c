@@ -93,7 +93,7 @@ static const struct option options[] = {
      .help = "its numerical aperture at the subject: adds the depth of field"},
     {MEASURE(fnumber, fnumber, NULL, "NUMBER"), .name = "working-fnumber",
      .quantity = "working f-number", .column = "working_fnumber", ABOVE_0 | OPTION_NO_SERIES,
-     OPTION_USUAL_FNUMBER, .wants = "telecentric",
+     OPTION_USUAL_FNUMBER, .wants = "telecentric", .excludes = "na",
      .help = "or its working f-number, that at the sensor"},
     {MEASURE(blur, pixels, NULL, "PIXELS"), REPEATED("blur"), ABOVE_0, .fallback = "1",
      .wants = "na|working-fnumber",
