@@ -23,7 +23,7 @@ DIAGONAL = math.hypot(36, 24)
 WAVE = 0.5875618e-3  # mm
 # 1/l^2 of d, F and C in 1/um^2, by which (nd, Vd) glass disperses
 D, F, C = (1 / l ** 2 for l in (0.5875618, 0.4861327, 0.6562725))
-ABBE = {1.670: 47.1, 1.699: 30.1, 1.603: 38.0, 1.658: 57.3, 1.717: 48.0}
+ABBE = {1.670: 47.1, 1.699: 30.1, 1.603: 38.4, 1.658: 57.0, 1.717: 48.1}
 
 
 def rings(count, radius):
