@@ -23,3 +23,10 @@ show dof 50mm f/2.8 3m -s 2m
 show dof 50 2.8 3
 show fov 24mm f/2.8
 show spot double-gauss 3m f/4
+# of a command with operands of its own a focal length alone
+show conjugate 10cm --object 30cm --value image_distance_mm
+show conjugate 10 cm -15cm --object 30cm
+show convert double-gauss 50mm -o scaled.lens
+lenscalc lens scaled.lens -w d --value efl_mm --digits 6
+show visual 8in f/6
+show survey 'Mavic 3' 35mm --altitude 100m

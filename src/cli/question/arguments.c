@@ -395,6 +395,22 @@ static bool unexpected(const struct arguments *arguments, const struct words *wo
     return error_hint(error, "see 'lenscalc %s --help'", arguments->command->name);
 }
 
+/* Operands that take more than one. */
+#define MORE_WORDS (OPTION_REST | OPTION_MANY | OPTION_TOGETHER)
+
+/* Has an operand been given that takes further words? */
+static bool arguments_go_on(const struct arguments *arguments)
+{
+    for (size_t i = 0; i < arguments->count; i++) {
+        const struct argument *argument = &arguments->all[i];
+        const unsigned flags = argument->option->flags;
+        if (argument->is_given && (flags & OPTION_OPERAND) != 0 && (flags & MORE_WORDS) != 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
 /* A word that is no option goes to the next operand that is still free. */
 static bool parse_operand(struct arguments *arguments, struct text word, struct words *words,
                           struct arena *arena, struct error *error)
@@ -412,9 +428,12 @@ static bool parse_operand(struct arguments *arguments, struct text word, struct 
         words->last = NULL;
         return true;
     }
+    /* behind the first of several lenses or the words of 8x42 330 ft no length is the focal one */
     const size_t used =
-        operands_read(arguments->command, words->all + at, (size_t)(words->count - at),
-                      &arguments->operands[arguments->operand_count], arena);
+        arguments_go_on(arguments)
+            ? 0
+            : operands_read(arguments->command, words->all + at, (size_t)(words->count - at),
+                            &arguments->operands[arguments->operand_count], arena);
     if (used > 0) {
         arguments->operand_count++;
         words->at = at + (int)used;
@@ -433,7 +452,7 @@ static bool parse_operand(struct arguments *arguments, struct text word, struct 
             words->last = NULL;
             return true;
         }
-        if ((flags & (OPTION_REST | OPTION_MANY | OPTION_TOGETHER)) != 0) {
+        if ((flags & MORE_WORDS) != 0) {
             char between = (flags & OPTION_REST) != 0 ? ' ' : OPTION_MANY_SEPARATOR;
             arguments_append(argument, between, word, arena);
             words->last = NULL;

@@ -14,7 +14,11 @@ static const struct {
     {"focal-length", "50mm"}, {"aperture", "f/2.8"}, {"distance", "3m"},
     {"time", "1/125"},        {"iso", "iso400"},     {"ev", "EV12"},
 };
-enum { OPERAND_OPTIONS = sizeof operand_options / sizeof operand_options[0] };
+enum {
+    OPERAND_FOCAL,
+    OPERAND_DISTANCE = 2,
+    OPERAND_OPTIONS = sizeof operand_options / sizeof operand_options[0]
+};
 
 static const struct option *operand_named(const struct command *command, const char *name)
 {
@@ -26,17 +30,6 @@ static const struct option *operand_named(const struct command *command, const c
     return NULL;
 }
 
-/* Option i, if a command has it and a value of its dimension means it. */
-static const struct option *operand_option(const struct command *command, size_t i)
-{
-    const char *name = operand_options[i].option;
-    /* the plans of time lapses and brackets have times of several kinds, and neither of these */
-    const bool is_unclear = strcmp(name, "time") == 0 &&
-                            operand_named(command, "aperture") == NULL &&
-                            operand_named(command, "distance") == NULL;
-    return is_unclear ? NULL : operand_named(command, name);
-}
-
 static bool command_has_operands(const struct command *command)
 {
     for (size_t i = 0; i < command->option_count; i++) {
@@ -45,6 +38,21 @@ static bool command_has_operands(const struct command *command)
         }
     }
     return false;
+}
+
+/* Option i, if a command has it and a value of its dimension means it: beside words of its own, as
+   the name of a lens, a focal length alone. */
+static const struct option *operand_option(const struct command *command, size_t i)
+{
+    const char *name = operand_options[i].option;
+    if (command_has_operands(command) && i != OPERAND_FOCAL) {
+        return NULL;
+    }
+    /* the plans of time lapses and brackets have times of several kinds, and neither of these */
+    const bool is_unclear = strcmp(name, "time") == 0 &&
+                            operand_named(command, "aperture") == NULL &&
+                            operand_named(command, "distance") == NULL;
+    return is_unclear ? NULL : operand_named(command, name);
 }
 
 /* Common options are found by their names. */
@@ -146,9 +154,6 @@ size_t operands_read(const struct command *command, char *const *words, size_t c
     static const bool none_taken[OPERAND_OPTIONS];
     const char *joined = words[0];
     size_t used = 1;
-    if (command_has_operands(command)) {
-        return 0;
-    }
     while (used < count) {
         const char *more = arena_printf(arena, "%s %s", joined, words[used]);
         if (!operand_is_one(command, text_of(more))) {
@@ -193,10 +198,10 @@ static bool operands_have_one_length(const struct text *operands, size_t count,
 bool operands_settle(const struct command *command, const struct text *operands, size_t count,
                      bool has_focal, const struct option **options, struct error *error)
 {
-    enum { FOCAL, DISTANCE = 2 }; /* of operand_options */
     bool is_taken[OPERAND_OPTIONS] = {false};
-    is_taken[FOCAL] = has_focal && operand_option(command, DISTANCE) != NULL &&
-                      operands_have_one_length(operands, count, operand_option(command, DISTANCE));
+    is_taken[OPERAND_FOCAL] =
+        has_focal && operand_option(command, OPERAND_DISTANCE) != NULL &&
+        operands_have_one_length(operands, count, operand_option(command, OPERAND_DISTANCE));
     for (size_t i = 0; i < count; i++) {
         const size_t found = operand_find(command, operands[i], is_taken);
         if (found == OPERAND_OPTIONS) {
@@ -213,7 +218,7 @@ const char *operands_example(const struct command *command, struct arena *arena)
     enum { MOST = 3 };
     const char *example = NULL;
     size_t count = 0;
-    for (size_t i = 0; i < OPERAND_OPTIONS && count < MOST && !command_has_operands(command); i++) {
+    for (size_t i = 0; i < OPERAND_OPTIONS && count < MOST; i++) {
         if (operand_option(command, i) != NULL) {
             example = ARENA_JOIN(arena, count > 0 ? example : command->name, " ",
                                  operand_options[i].example);
@@ -226,7 +231,7 @@ const char *operands_example(const struct command *command, struct arena *arena)
 const char *operands_usage(const struct command *command, struct arena *arena)
 {
     const char *usage = "";
-    for (size_t i = 0; i < OPERAND_OPTIONS && !command_has_operands(command); i++) {
+    for (size_t i = 0; i < OPERAND_OPTIONS; i++) {
         if (operand_option(command, i) != NULL) {
             usage = arena_printf(arena, "%s [%s]", usage, operand_options[i].example);
         }

@@ -6,8 +6,8 @@
 #include "cli/question/command.h"
 
 /*
- * A value that shows by its notation what it is, as 50mm, f/2.8, 1/125 and iso400 do, of a command
- * without operands of its own.
+ * A value that shows by its notation what it is, as 50mm, f/2.8, 1/125 and iso400 do; of a command
+ * with operands of its own a focal length alone.
  *
  * Given     words    those that are left, of which "50" "mm" are one value;  count  1 or more
  *           operand  receives the value, in the arena
