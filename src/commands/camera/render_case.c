@@ -189,13 +189,14 @@ static bool render_focus(const struct render_input *input, struct arena *arena,
         question->focus.kind = PLANE_PARAXIAL;
     }
     /* what the distance says: from the first vertex, mm */
-    const struct photo_lens_question asked = {.lens = input->question.lens,
-                                              .position = input->question.position,
-                                              .focal = {NAN, NAN},
-                                              .wavelength = NAN,
-                                              .fnumber = NAN,
-                                              .pupil = NAN,
-                                              .from = input->from};
+    const struct photo_lens_question asked = {
+        .lens = input->question.lens,
+        .position = input->question.position,
+        .focal = {.length = NAN, .equivalent = NAN, .fnumber = NAN},
+        .wavelength = NAN,
+        .fnumber = NAN,
+        .pupil = NAN,
+        .from = input->from};
     struct photo_lens thin;
     double s;
     if (input->question.lens.lens->stop == LENS_NONE) {
