@@ -20,6 +20,7 @@ import os
 import pty
 import select
 import shlex
+import signal
 import struct
 import subprocess
 import sys
@@ -31,6 +32,9 @@ ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 SHARED = os.path.join(os.path.dirname(ROOT), "shared")
 EVERYTHING = bool(os.environ.get("LENSCALC_ALL"))
 VALIDATE = os.environ.get("LENSCALC_VALIDATE")
+# a shell that begins this in the background has it ignore SIGINT, and so all that is started here
+if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+    signal.signal(signal.SIGINT, signal.default_int_handler)
 NEED_SOLVER = ("fit", "bench")  # commands that a build without Ceres has not
 
 
