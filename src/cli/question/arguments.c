@@ -3,6 +3,7 @@
 #include "cli/question/arguments.h"
 
 #include "cli/question/operands.h"
+#include "cli/question/trade_names.h"
 
 #include <string.h>
 
@@ -50,104 +51,12 @@ enum argument_rank argument_rank(const struct argument *argument)
     return argument->entry == NULL ? RANK_TYPED : ranks[argument->entry->scope];
 }
 
-/* Names of an option in other programs and in the trade. */
-struct trade_name {
-    const char *names, *option;
-};
-
-/* Those that mean the same quantity, in whichever command the option is: they are taken for it. */
-static const struct trade_name aliases[] = {
-    {"fstop fnumber", "aperture"},
-    {"shutter shutterspeed exposuretime", "time"},
-    {"asa filmspeed", "iso"},
-    {"subjectdistance focusdistance", "distance"},
-    {"subjectspeed velocity", "speed"},
-    {"camera body drone sensorsize", "sensor"},
-    {"focal", "focal-length"},
-    {"focal focallength", "telescope"},
-    {"circleofconfusion", "coc"},
-    {"extensiontube", "tube"},
-    {"teleconverter extender tc", "converter"},
-    {"closeup closeuplens", "close-up"},
-    {"anamorphic desqueeze", "squeeze"},
-    {"gn", "guide-number"},
-    {"fps", "frame-rate"},
-    {"eventlength", "event"},
-    {"whitebalance wb", "balance"},
-    {"cct colortemperature colourtemperature", "kelvin"},
-    {"mainsfrequency", "mains"},
-    {"printsize", "print"},
-    {"agl flightheight", "altitude"},
-    {"altitude", "distance"},
-    {"groundsampledistance", "gsd"},
-    {"cardsize", "card"},
-    {"filesize", "frame-size"},
-    {"pixel pixelsize pixelpitch", "pitch"},
-    {"width", "field-width"},
-    {"height", "field-height"},
-    {"pixeldensity ppm pixelspermeter pixelspermetre", "density"},
-    {"frontoverlap forwardoverlap frontlap", "overlap"},
-    {"sideoverlap", "sidelap"},
-    {"nits", "luminance"},
-    {"lux", "illuminance"},
-    {"screensize", "screen"},
-    {"afov apparentfieldofview", "apparent-field"},
-    {"numericalaperture", "na"},
-    {"n1", "before"},
-    {"n2", "after"},
-};
-
-/* Those that may be meant so, or are measured in another way: they are hints. */
-static const struct trade_name hints[] = {
-    {"fstops stop av", "aperture"},
-    {"speed tv", "time"},
-    {"sensitivity", "iso"},
-    {"nd ndfilter density stops", "filter"},
-    {"focus subject objectdistance workingdistance wd throwdistance mfd closestfocus "
-     "minimumfocus s",
-     "distance"},
-    {"light lighting condition", "scene"},
-    {"filmformat", "sensor"},
-    {"extension bellows", "tube"},
-    {"diopter diopters dioptre dioptres", "close-up"},
-    {"rate", "frame-rate"},
-    {"duration", "event"},
-    {"frames photos pictures exposures", "shots"},
-    {"hz", "mains"},
-    {"paper", "print"},
-    {"groundsample", "gsd"},
-    {"memory storage", "card"},
-    {"fieldofview fov size", "field"},
-    {"fieldofview fov size", "field-width"},
-    {"ppf", "density"},
-    {"resolution megapixels", "pixels"},
-    {"brightness footlamberts", "luminance"},
-    {"on", "to"},
-    {"s do distance objectdistance", "object"},
-    {"di imagedistance", "image"},
-    {"lenses", "then"},
-    {"pixels", "blur"},
-    {"height cameraheight", "hinge"},
-    {"bellows extension", "magnification"},
-    {"medium", "before"},
-};
-
-static bool is_among(struct text name, const char *names)
-{
-    struct text words = text_of(names);
-    bool found = false;
-    while (words.length > 0 && !found) {
-        found = text_same_name(name, text_cut(&words, ' '));
-    }
-    return found;
-}
-
 /* The argument that such a name stands for; null where the command has no such option. */
 static struct argument *named_by(const struct arguments *arguments, struct text name,
-                                 const struct trade_name *all, size_t count)
+                                 const struct trade_name *all)
 {
-    for (size_t i = 0; i < count; i++) {
-        if (is_among(name, all[i].names)) {
+    for (size_t i = 0; all[i].names != NULL; i++) {
+        if (trade_name_is(&all[i], name)) {
             for (size_t j = 0; j < arguments->count; j++) {
                 if (strcmp(arguments->all[j].option->name, all[i].option) == 0) {
                     return &arguments->all[j];
@@ -161,8 +70,7 @@ static struct argument *named_by(const struct arguments *arguments, struct text 
 /* The option of this command that may be meant, or whose column has this name; or null. */
 static const struct option *meant_by(const struct arguments *arguments, struct text name)
 {
-    const struct argument *hinted =
-        named_by(arguments, name, hints, sizeof hints / sizeof hints[0]);
+    const struct argument *hinted = named_by(arguments, name, trade_hints);
     for (size_t i = 0; i < arguments->count; i++) {
         const struct option *own = arguments->all[i].option;
         if (own->column != NULL && text_same_name(name, text_of(own->column))) {
@@ -289,7 +197,7 @@ static bool parse_long(struct arguments *arguments, struct text word, struct wor
     struct text name = text_cut(&value, '=');
     struct argument *argument = arguments_find(arguments, name);
     if (argument == NULL) {
-        argument = named_by(arguments, name, aliases, sizeof aliases / sizeof aliases[0]);
+        argument = named_by(arguments, name, trade_aliases);
     }
     if (argument == NULL) {
         return arguments_unknown(arguments, name, "--", error);

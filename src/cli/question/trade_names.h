@@ -1,0 +1,25 @@
+/* cli/question/trade_names.h - names of options in other programs and in the trade. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_CLI_QUESTION_TRADE_NAMES_H
+#define LENSCALC_CLI_QUESTION_TRADE_NAMES_H
+
+#include "base/text.h"
+
+#include <stdbool.h>
+
+/* Names, with blanks between them, and the option that they stand for where a command has it. */
+struct trade_name {
+    const char *names, *option;
+};
+
+/* Those that mean the same quantity in whichever command the option is: they are taken for it.
+   Ended by null names. */
+extern const struct trade_name trade_aliases[];
+
+/* Those that may be meant so, or are measured in another way: they are hints. Ended likewise. */
+extern const struct trade_name trade_hints[];
+
+/* Is the name one of these? Case, blanks and marks between words do not matter. */
+bool trade_name_is(const struct trade_name *one, struct text name);
+
+#endif
