@@ -290,6 +290,11 @@ def check_missed(checks, program):
             said = re.search(r"([0-9.]+) % of the light misses the reference sphere", warning)
             near(checks, f"{words}, {radius}: share of the light", said.group(1) if said else 0,
                  100 * share, 4 if more else 0.06)
+        for command in ("psf", "mtf"):  # images of what is left alone would be those of another lens
+            result = subprocess.run(program.command + [command, "-"], input=lens, text=True,
+                                    capture_output=True, env=program.environment())
+            checks.check(("miss the reference sphere" in result.stderr) == (share > 0),
+                         f"{command}, {radius}: {result.stderr}")
 
 
 def main():

@@ -153,13 +153,10 @@ static struct exit_pupil_pairs trace_pairs(const struct exit_pupil *pupil, const
 static bool find_rim(struct exit_pupil *pupil, struct arena *arena, struct exit_pupil_pairs *rim)
 {
     struct quadrature_region *region = pupil->light->source.region;
-    const struct pupil_boundary *boundary = quadrature_boundary(region, arena);
+    const struct pupil_boundary *boundary = quadrature_boundary(region, arena); /* there is one */
     enum { EVEN = EXIT_PUPIL_RIM - PUPIL_BOUNDARY_CORNERS };
     double angles[EXIT_PUPIL_RIM];
     size_t count = 0, corner = 0;
-    if (boundary == NULL) {
-        return false;
-    }
     const double first = boundary->corner_count > 0 ? boundary->corners[0] : 0;
     for (size_t i = 0; i < EVEN; i++) {
         const double angle = first + 2 * PI * (double)i / EVEN;
@@ -373,8 +370,14 @@ static bool exit_pupil_open_pupil(const struct exit_pupils *pupils, size_t g, st
                                  .is_blocked = source->region->margins.full != NULL};
     source->region->in_beam = true;
     const struct quadrature inside = quadrature_fill(source->region, RAYS, arena);
-    if (inside.is_empty || !find_rim(pupil, arena, &rim)) {
+    if (inside.is_empty || quadrature_boundary(source->region, arena) == NULL) {
         return bundle_fail_dark(source, 0, arena, error);
+    }
+    if (!find_rim(pupil, arena, &rim)) {
+        return fail(error, ERROR_DOMAIN,
+                    "rays at the edge of the pupil miss the reference sphere, whose radius is %.4g "
+                    "mm: the exit pupil lies too close to the image",
+                    reference->opd.radius);
     }
     for (size_t i = 0; i < inside.sample.count; i++) {
         const struct pupil_point *point = &inside.sample.points[i];

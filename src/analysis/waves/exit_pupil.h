@@ -55,7 +55,7 @@ struct exit_pupils {
  *           over a quadrature and the rim, of the terms that mirrors leave where it has some; W
  *           and the amplitude alike
  * Errors    as wave_open and wave_reference_find; ERROR_DOMAIN: nothing is clear; no reference
- *           sphere
+ *           sphere, or one that the rays of the edge miss
  */
 bool exit_pupils_open(const struct bundle_question *bundle, struct arena *arena,
                       struct exit_pupils *pupils, struct error *error);
