@@ -25,10 +25,13 @@ static void test_resolution(void)
     CHECK_NEAR(found.power, 400, 1e-12, "40 x 10");
     CHECK_NEAR(found.exit_pupil, 0.8125, 1e-12, "500 x 0.65/400 mm");
     CHECK_NEAR(found.working_fnumber, 40 / 1.3, 1e-12, "M/(2 NA)");
+    CHECK_NEAR(found.lowest_power, 325, 1e-12, "leica-microsystems.com: 500 NA");
+    CHECK_NEAR(found.highest_power, 650, 1e-12, "leica-microsystems.com: 1000 NA");
     CHECK(isnan(found.pixel));
     s.condenser = 0.35;
     CHECK(microscope_compute(&s, &found, &error));
     CHECK_NEAR(found.rayleigh * 1000, 1.22 * 0.55, 3e-4, "1.22 l/(NA + NA_c), their sum 1");
+    CHECK_NEAR(found.sparrow * 1000, 0.947 * 0.55, 3e-4, "0.947 l/(NA + NA_c)");
     s.condenser = 0.9;
     CHECK(microscope_compute(&s, &found, &error));
     CHECK_NEAR(found.abbe * 1000, 0.423, 5e-4, "a larger condenser adds nothing");
@@ -77,6 +80,7 @@ static void test_sampling(void)
     s.adapter = 0.5;
     CHECK(microscope_compute(&s, &found, &error));
     CHECK_NEAR(found.pixel * 1000, 0.345, 1e-12, "the adapter halves the magnification");
+    CHECK_NEAR(found.camera_magnification, 10, 1e-12, "20 x 0.5");
     CHECK_NEAR(found.nyquist_pitch * 1000, 2.75, 1e-9, "and the pitch that is enough");
     CHECK_NEAR(microscope_magnification(20, 180, 200), 18, 1e-12,
                "20x for 200 mm is 18x with 180 mm");

@@ -82,6 +82,19 @@ static void test_subsets(void)
     }
 }
 
+/* 0.1 + 0.2 is 0.3, whatever doubles make of it: no stack that takes more. */
+static void test_equal_sums(void)
+{
+    static const double strengths[] = {0.1, 0.2, 0.3};
+    struct neutral_stack stacks[NEUTRAL_STACKS];
+    struct error error;
+    size_t found;
+    CHECK(neutral_stacks(strengths, 3, 3, 0.3, stacks, &found, &error));
+    CHECK(found == 2);
+    CHECK_NEAR(stacks[0].stops, 0.3, 0, "the filter itself");
+    CHECK_NEAR(stacks[1].stops, 0.4, 1e-15, "0.3 + 0.1");
+}
+
 static void test_refusals(void)
 {
     struct neutral_stack stacks[NEUTRAL_STACKS];
@@ -99,6 +112,7 @@ int main(void)
 {
     test_sums();
     test_subsets();
+    test_equal_sums();
     test_refusals();
     return check_report();
 }

@@ -200,9 +200,19 @@ static void test_fov_sensor(void)
     INSIDE(fov_solve(&a, &error));
     CHECK_RELATIVE(a.sensor.width, 36.0, 1e-15, "12 sqrt 13 of diagonal");
     a = both;
+    a.goals = *GOALS(.field_width = 400, .field_diagonal = 240);
+    INSIDE(fov_solve(&a, &error));
+    CHECK_RELATIVE(a.sensor.width, 20.0, 1e-15, "m W; the diagonal is less than that");
+    a = both;
     a.setting.squeeze = 2;
     INSIDE(fov_solve(&a, &error));
     CHECK_RELATIVE(a.sensor.width, 10.0, 1e-15, "half by the squeeze");
+    a = both;
+    a.setting.squeeze = 2;
+    a.goals = *GOALS(.field_width = 400, .field_height = 300, .field_diagonal = 1000);
+    INSIDE(fov_solve(&a, &error));
+    CHECK_RELATIVE(a.sensor.width, 20.0, 1e-15, "3:4:5: twice 400/20/2");
+    CHECK_RELATIVE(a.sensor.height, 30.0, 1e-15, "3:4:5: twice 300/20");
     a = both;
     a.setting.s = 50;
     OUTSIDE(fov_solve(&a, &error),

@@ -36,6 +36,16 @@ static void test_solve(void)
     CHECK(visual_solve(&s, &error));
     CHECK_NEAR(s.exit_pupil, 4.2, 1e-12, "backcountrychronicles.com: 10 x 42 has 4.2");
     CHECK(isnan(s.focal) && isnan(s.eyepiece));
+    s = visual_of(1200, NAN, NAN, 25);
+    s.exit_pupil = 4;
+    CHECK(visual_solve(&s, &error));
+    CHECK_NEAR(s.diameter, 192, 1e-12, "48 times the exit pupil");
+    CHECK_NEAR(s.fnumber, 6.25, 1e-12, "1200/192");
+    s = visual_of(NAN, 200, NAN, 25);
+    s.barlow = 2;
+    s.power = 96;
+    CHECK(visual_solve(&s, &error));
+    CHECK_NEAR(s.focal, 1200, 1e-12, "96 x 25/2");
     s = visual_of(1219, 203.2, 6, NAN);
     CHECK(visual_solve(&s, &error));
     s = visual_of(1200, 200, 5, NAN);
@@ -76,10 +86,12 @@ static void test_fields(void)
     field = (struct visual_field){NAN, 68 * degree, NAN, NAN, NAN, NAN, NULL, NULL};
     CHECK(visual_see(1200, 50, &field, &error));
     CHECK_NEAR(field.true_field / degree, 1.36, 1e-12, "without a field stop by the ratio");
+    CHECK_TEXT(field.true_from, "ratio");
     CHECK(isnan(field.apparent_by_ratio));
     field = (struct visual_field){NAN, 63.2 * degree, NAN, NAN, NAN, NAN, NULL, NULL};
     CHECK(visual_see(NAN, 8, &field, &error));
     CHECK_NEAR(field.true_field / degree, 8.8, 0.01, "binoculars by the tangents, Nikon backwards");
+    CHECK_TEXT(field.true_from, "tangents");
     field = (struct visual_field){NAN, PI, NAN, NAN, NAN, NAN, NULL, NULL};
     CHECK(!visual_see(NAN, 8, &field, &error));
 }
@@ -108,6 +120,9 @@ static void test_light(void)
     CHECK(visual_gather(&s, &eye, 0, 0.55, &light, &error));
     CHECK_NEAR(light.used_diameter, 35, 1e-12, "5 x 7 mm");
     CHECK_NEAR(light.gain, 25, 1e-12, "so much more light");
+    CHECK_NEAR(light.dawes / arcsec, 116.0 / 35, 1e-9, "Dawes of what is used");
+    CHECK_NEAR(light.rayleigh / arcsec, 138.37 / 35, 1e-3, "and Rayleigh");
+    CHECK_NEAR(light.matched, 60 * 70 / 138.37, 1e-3, "the power at which all of it is used");
     CHECK(!visual_gather(&s, &eye, 0.6, 0.55, &light, &error));
     CHECK(strstr(error.message, "shades all") != NULL);
     s = visual_of(NAN, 50, NAN, NAN);
