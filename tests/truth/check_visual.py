@@ -36,8 +36,8 @@ EXAMPLES = (
     ("fov -f 1000 --pitch 3.76um", "pixel_scale_arcsec", 206.265 * 3.76 / 1000, 1e-6,
      "206.265 p/f"),
     ("fov --pixel-scale 1arcsec --pitch 3.76um", "focal_mm", 206.265 * 3.76, 1e-3, "206.265 p/f"),
-    ("fov -f 1000 --subject jupiter", "subject_angle_arcmin", 46.9 / 60, 0.05 / 60,
-     "NSSDC: 46.9 arcsec at opposition"),
+    ("fov -f 1000 --subject jupiter", "subject_angle_arcmin", 2 * 98.44 / 4.202603 / 60, 0.1 / 60,
+     "Meeus, semidiameter 98.44 arcsec at 1 au"),
 )
 
 # Erfle's eyepiece, US 1,479,229, from the eye; its stop lies 15.224 mm before the glass

@@ -19,28 +19,53 @@ static double arcsec_of(const char *word)
     return NAN;
 }
 
+/*
+ * Equatorial radii of the Astronomical Almanac 2001, as astronomy.sierracollege.edu has them, at the
+ * least of mean distances: those of VSOP87 from the Sun, as ERFA has them. Sun and moon: Meeus,
+ * Astronomical Algorithms, ch. 55.
+ */
 static void test_sizes(void)
 {
     static const struct {
         const char *word;
-        double arcsec, tolerance;
-        const char *source;
-    } sizes[] = {
-        {"moon", 1865.2, 0.6, "Allen's Astrophysical Quantities: 31'05.2 at the mean distance"},
-        {"sun", 1919.3, 1, "Allen's Astrophysical Quantities: 31'59.26 at 1 au"},
-        {"mercury", 10.97, 0.1, "NSSDC fact sheet: 11.0 at inferior conjunction"},
-        {"venus", 60.2, 0.3, "NSSDC fact sheet: 60.2 at inferior conjunction"},
-        {"mars", 17.9, 0.1, "NSSDC fact sheet: 17.9 at opposition"},
-        {"jupiter", 46.9, 0.1, "NSSDC fact sheet: 46.9 at opposition"},
-        {"saturn", 19.5, 0.1, "NSSDC fact sheet: 19.5 at opposition"},
-        {"saturn-rings", 44.2, 0.1, "136 775 km by hand"},
-        {"uranus", 3.9, 0.05, "NSSDC fact sheet: 3.9 at opposition"},
-        {"neptune", 2.3, 0.06, "NSSDC fact sheet: 2.3 at opposition"},
-        {"andromeda", 178 * 60, 1e-9, "M31, 178 x 63 arcmin"},
-        {"ring-nebula", 84, 1e-9, "M57, 1.4 x 1 arcmin"},
+        double radius, distance; /* km, au */
+    } planets[] = {
+        {"mercury", 2439.7, 0.387098}, {"venus", 6051.8, 0.723330}, {"mars", 3397, 1.523679},
+        {"jupiter", 71492, 5.202603},  {"saturn", 60268, 9.554909}, {"uranus", 25559, 19.218446},
+        {"neptune", 24764, 30.110387},
     };
-    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
-        CHECK_NEAR(arcsec_of(sizes[i].word), sizes[i].arcsec, sizes[i].tolerance, sizes[i].source);
+    const double au = 149597870.7, arcsec = DEGREES_PER_RADIAN * 3600;
+    check_source("almanac", "arcsec");
+    for (size_t i = 0; i < sizeof planets / sizeof planets[0]; i++) {
+        char what[80];
+        const double size = 2 * planets[i].radius / (au * fabs(planets[i].distance - 1)) * arcsec;
+        snprintf(what, sizeof what, "%s at its nearest: size", planets[i].word);
+        CHECK_NEAR(arcsec_of(planets[i].word), size, 2e-3 * size, what);
+    }
+    CHECK_NEAR(arcsec_of("sun"), 2 * 959.63, 1, "the sun: size");
+    CHECK_NEAR(arcsec_of("moon"), 2 * 0.272481 * 6378.14 / 384400 * arcsec, 0.3, "the moon: size");
+    check_source(NULL, "");
+    CHECK_NEAR(arcsec_of("saturn-rings") / arcsec_of("saturn"), 136775.0 / 60268, 1e-6,
+               "[NSSDC] the outer edge of the A ring over the equatorial radius");
+}
+
+/*
+ * The longer sizes of a list that is not [Frommert]'s, from which the program has its own: The Messier
+ * List in rtmalone/AstroObservationPrograms. It has 85.6 arcsec for the ring nebula.
+ */
+static void test_deep_sky(void)
+{
+    static const struct {
+        const char *word;
+        double arcmin, tolerance;
+    } objects[] = {
+        {"andromeda", 178, 1e-9},    {"triangulum", 73, 1e-9},   {"whirlpool", 11, 1e-9},
+        {"pleiades", 110, 1e-9},     {"orion-nebula", 85, 1e-9}, {"dumbbell", 8, 1e-9},
+        {"ring-nebula", 1.43, 0.04},
+    };
+    for (size_t i = 0; i < sizeof objects / sizeof objects[0]; i++) {
+        CHECK_NEAR(arcsec_of(objects[i].word) / 60, objects[i].arcmin, objects[i].tolerance,
+                   objects[i].word);
     }
 }
 
@@ -80,6 +105,7 @@ static void test_images(void)
 int main(void)
 {
     test_sizes();
+    test_deep_sky();
     test_words();
     test_images();
     return check_report();
