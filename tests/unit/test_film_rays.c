@@ -344,7 +344,7 @@ static void test_lenses(void)
             double share;
             CHECK_NEAR(irradiance(&opened, 0, lenses[i].known[k][0], 0, &share), expected,
                        2e-4 * expected + 5e-7, lenses[i].name);
-            CHECK(share > 0.965);
+            CHECK(share > 0.969);
         }
         arena_free(&opened.arena);
     }
