@@ -51,6 +51,16 @@ def check_diagram(checks, program, words, image):
         checks.check(abs(at - y) < 0.05, f"{words}: a ray passes the image at {at}, {y} expected")
 
 
+def check_ideal(checks, program):
+    """Newton's x x' = f^2 of a mirror, where the light goes; no magnifier diverges."""
+    words = "conjugate --mirror concave -R 50cm --object 100cm"
+    for column, expected in (("object_focal_cm", 75), ("image_focal_cm", 25 * 25 / 75)):
+        checks.against(None, words, column, answer(program, words, column), expected, 1e-12 * expected)
+    words = "conjugate -f -10cm --object 5cm"
+    power = answer(program, words, "magnifying_power")
+    checks.check(not power, f"{words}: a magnifying power of {power}")
+
+
 def main():
     program = os.path.join(os.path.abspath(sys.argv[1]), "lenscalc")
     checks = Checks()
@@ -66,6 +76,7 @@ def main():
     check_diagram(checks, program, "-f 10cm --object 15cm", (15, 30, -2))
     check_diagram(checks, program, "-f -15cm --object 10cm", (10, -6, 0.6))
     check_diagram(checks, program, "-f 10cm --object 6cm", (6, -15, 2.5))
+    check_ideal(checks, program)
     checks.finish()
 
 

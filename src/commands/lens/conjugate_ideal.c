@@ -79,8 +79,6 @@ const struct sheet conjugate_ideal_sheet = SHEET(ideal_columns, ROW);
 static void conjugate_turn_image(struct conjugate_row *row)
 {
     row->image = -row->image;
-    row->all.image = -row->all.image;
-    row->all.image_principal = -row->all.image_principal;
     row->all.image_focal = -row->all.image_focal;
 }
 
