@@ -30,8 +30,11 @@ def check_rows(checks, rows, there, metered, wanted, power, what):
         time = metered * math.prod(int(name[2:]) for name in row["filters"].split("+"))
         time = time ** power if time > 1 else time
         said.append(time)
-        checks.near("time", f"{what}: {row['filters']}", row["time_to_set_s"], time, 1e-12 * time)
-        checks.near("longer", f"{what}: {row['filters']}", row["longer_stops"], math.log2(time / wanted), 1e-11)
+        case = f"{what}: {row['filters']}"
+        checks.against("filters", case, "time_to_set_s", row["time_to_set_s"], time, 1e-12 * time,
+                       "s")
+        checks.against("filters", case, "longer_stops", row["longer_stops"],
+                       math.log2(time / wanted), 1e-11, "stops")
     for time in (below, above):
         checks.check(time is None or any(math.isclose(time, one, rel_tol=1e-9) for one in said),
                      f"{what}: {time} s is missing among {said}")
@@ -46,8 +49,9 @@ def main():
                 words += [] if own is USUAL else ["--own", ",".join(f"ND{factor}" for factor in own)]
                 words += [] if film is None else ["--film", film]
                 rows = program.rows(*words)
+                what = f"{metered:.4g} s to {wanted:.4g} s, {film or 'no film'}"
                 if checks.check(not isinstance(rows, str), f"{words}: {rows}"):
-                    check_rows(checks, rows, own, metered, wanted, power, f"{metered} {wanted} {own} {film}")
+                    check_rows(checks, rows, own, metered, wanted, power, what)
     checks.finish()
 
 

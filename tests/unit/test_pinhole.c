@@ -13,11 +13,12 @@ static void test_published(void)
         enum pinhole_rule rule;
         const char *source;
     } rows[] = {
-        {49, 0.00055, 0.31, 0.005, PINHOLE_RAYLEIGH, "T. Roelandts, tomroelandts.com, Details"},
-        {190.5, 0.00055, 0.506, 5e-4, PINHOLE_AIRY, "apug.org 70180: sqrt(2.44 w f), 7.5 in"},
-        {100, 0.000555, 0.3679, 1e-4, PINHOLE_AIRY, "G. Penate: 0.03679 sqrt(f) at 555 nm"},
-        {100, 0.0005, 0.4472135955, 1e-9, PINHOLE_YOUNG, "[Young89] radius sqrt(w f)"},
+        {49, 0.00055, 0.31, 0.005, PINHOLE_RAYLEIGH, "tomroelandts.com, Details: diameter"},
+        {100, 0.00055, 0.366, 5e-4, PINHOLE_AIRY, "mail-archive.com, sundials: diameter"},
+        {100, 0.000555, 0.3679, 1e-4, PINHOLE_AIRY, "G. Penate, 0.03679 sqrt f: diameter"},
+        {100, 0.0005, 0.4472135955, 1e-9, PINHOLE_YOUNG, "[Young89] radius sqrt(w f): diameter"},
     };
+    check_source("pinholes", "mm");
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         const struct pinhole_setting setting = {rows[i].f, INFINITY, rows[i].wavelength};
         struct error error;
@@ -25,6 +26,7 @@ static void test_published(void)
         CHECK(pinhole_best(&setting, rows[i].rule, &d, &error));
         CHECK_NEAR(d, rows[i].d, rows[i].tolerance, rows[i].source);
     }
+    check_source(NULL, "");
 }
 
 /* [Mielenz99]: u = 2 pi a^2 (1/f + 1/s)/w is 1.8 pi by Rayleigh, pi by Petzval. */

@@ -20,8 +20,8 @@ static double arcsec_of(const char *word)
 }
 
 /*
- * Equatorial radii of the Astronomical Almanac 2001, as astronomy.sierracollege.edu has them, at the
- * least of mean distances: those of VSOP87 from the Sun, as ERFA has them. Sun and moon: Meeus,
+ * Equatorial radii of the Astronomical Almanac 2001, as astronomy.sierracollege.edu has them, at
+ * the least of mean distances: those of VSOP87 from the Sun, as ERFA has them. Sun and moon: Meeus,
  * Astronomical Algorithms, ch. 55.
  */
 static void test_sizes(void)
@@ -50,8 +50,8 @@ static void test_sizes(void)
 }
 
 /*
- * The longer sizes of a list that is not [Frommert]'s, from which the program has its own: The Messier
- * List in rtmalone/AstroObservationPrograms. It has 85.6 arcsec for the ring nebula.
+ * The longer sizes of a list that is not [Frommert]'s, from which the program has its own: The
+ * Messier List in rtmalone/AstroObservationPrograms, with 85.6 arcsec for the ring nebula.
  */
 static void test_deep_sky(void)
 {
