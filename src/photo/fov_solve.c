@@ -58,7 +58,7 @@ bool fov_goal_magnification(const struct fov_problem *problem, double *m, const 
             continue;
         }
         if (!is_given(goal->dimension)) {
-            return fail(error, ERROR_USAGE, "{pixel density} needs {pixel pitch} or {pixels}");
+            return fail(error, ERROR_USAGE, "a pixel density needs {pixel pitch} or {pixels}");
         }
         if (!check_positive(goal->name, " mm", goal->wanted, error)) {
             return false;

@@ -13,3 +13,8 @@ for wrong in "--subject mon" "--subject-angle 0" "--subject-angle 181deg" "--pit
     lenscalc fov -f 8mm --columns subject_image $wrong
     echo "status $?"
 done
+# the focal length in pixels, f'/(p q): 4/0.0014 = 2857.14, and 50/(0.004 2) = 6250
+lenscalc fov 4mm --pixel 1.4um --columns fx --explain
+lenscalc fov -f 50mm --pitch 4um --squeeze 2 --csv --columns fx --digits 6
+lenscalc fov -f 50mm -m 1 --pitch 4um --csv --columns fx --digits 6
+lenscalc fov -f 4mm --columns fx

@@ -333,6 +333,7 @@ static bool fov_answer(const void *data, const struct photo_lens *bare, struct r
     }
     row.magnification = row.setting.f / (row.setting.s - row.setting.f);
     row.crop = sensor_crop(&input->sensor.size);
+    row.fx = fov_scale(&row.setting) / (row.pitch * input->squeeze);
     row.sensor_distance = row.setting.s + row.image + lens->measuring.hiatus;
     run_emit(run, &row);
     return true;

@@ -20,6 +20,7 @@ const struct fov_row fov_row_none = {
     .circle = NAN,
     .ground = {NAN, NAN, NAN, NAN},
     .sky = {NAN, NAN, NAN, NAN, NAN, NULL},
+    .fx = NAN,
     .breathing = NAN,
     .real = {.focal = NAN, .hiatus = NAN, .wavelength = NAN, .rear = NAN},
     .rays = {NAN, NULL, NULL},

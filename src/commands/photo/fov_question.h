@@ -56,6 +56,7 @@ struct fov_row {
     struct by_rays_row rays;
     const char *solved_for, *solved_by; /* null: everything was given */
     double density, object_pixel;       /* px/mm and mm in the plane of focus; NaN = not known */
+    double fx;                          /* scale in pixels a radian; NaN = not known */
     const char *task;
     double speed, line_rate;
     double fnumber, depth, blur; /* of a telecentric lens: mm, and px */
