@@ -102,7 +102,7 @@ static const struct column columns[] = {
      .label = "pixel pitch", .help = "spacing of the pixels"},
     COLUMN_SENSOR(sensor),
     {SHOWN(along), .name = "along", ASSUMED_WITH("overlap sidelap", "along"),
-     .label = "along the track the", .help = "side of the picture"},
+     .label = "side along the track", .help = "side of the picture"},
     {MEASURED(blur, pixels, "px"), .name = "blur",
      ASSUMED_WITH("speed interval", "blur") | COLUMN_ECHO, .symbol = "b", .label = "blur at most",
      .help = "during an exposure"},
