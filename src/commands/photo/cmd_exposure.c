@@ -52,10 +52,9 @@ static const struct option options[] = {
     {MEASURE(metered, time, "s", "TIME"), REPEATED("metered"), .quantity = "metered time", ABOVE_0,
      .help = "time metered without the --filter: gives the time to set with it"},
     {ASKED(propose), .name = "propose", .wants = "time", .excludes = "equivalent",
-     .help =
-         "which filters, up to three on each other, make --time of a shorter one: one row each"},
+     .help = "which filters, up to three stacked, make --time of a shorter one: one row each"},
     {ASKED(own), .name = "own", .value = "FILTERS", .wants = "propose",
-     .help = "the filters there are, for --propose: ND8,ND64,ND1000 (otherwise the usual ones)"},
+     .help = "the filters you own, for --propose: ND8,ND64,ND1000 (otherwise the usual ones)"},
     {ASKED(film), REPEATED("film"), .value = "NAME",
      .help = "corrects long times for reciprocity failure; see 'list films'"},
     {MEASURE(corrected_time, time, "s", "TIME"), .name = "corrected-time",
