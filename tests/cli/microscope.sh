@@ -10,7 +10,8 @@ lenscalc microscope --objective 20x/0.42 --tube-lens 180 --marked-for 200 --colu
 lenscalc microscope 10x/0.3 --sensor "Nikon D850" --adapter 0.5x --columns field_width,pixel
 lenscalc microscope 10x/0.25 --eyepiece 40x/20 --columns power
 for wrong in "" "40x" "40/0.65" "40x/0.65 lard" "40x/0.65 10x/22" "--na 1.4 --immersion air" "--na 0" \
-    "40x/0.65 --na 0.7" "40x/0.65 --field-number 22" "40x/0.65 --adapter 2" "40x/0.65 --pitch 3mm"; do
+    "40x/0.65 --na 0.7" "40x/0.65 --field-number 22" "40x/0.65 --adapter 2" "40x/0.65 --pitch 3mm" \
+    "100x/1.25 oil --immersion water" "100x/1.25 lard --index 1.5" "100x/1.25 lard --immersion oil"; do
     lenscalc microscope $wrong --columns rayleigh
     echo "status $?"
 done

@@ -151,25 +151,42 @@ static const struct column columns[] = {
     {SHOWN(sensor), .name = "sensor", ASSUMED_WITH("sensor", "sensor"), .help = "format or camera"},
 };
 
+/* The medium whose word stands on the objective; MEDIUM_AUTO: none does. */
+static bool microscope_read_mark(const struct marking_value *objective, int *medium,
+                                 struct error *error)
+{
+    *medium = MEDIUM_AUTO;
+    if (objective->name == NULL || objective->behind[0] == '\0') {
+        return true;
+    }
+    for (int i = MEDIUM_AIR; media[i].word != NULL; i++) {
+        if (text_same(text_of(objective->behind), media[i].word)) {
+            *medium = i;
+            return true;
+        }
+    }
+    fail(error, ERROR_USAGE, "{objective} '%s': '%s' is none of air, water, glycerol and oil",
+         objective->name, objective->behind);
+    return error_hint(error, "an eyepiece is {--eyepiece} 10x/22, power and field number");
+}
+
 /* The medium by its word, by what stands on the objective, or by the numerical aperture. */
 static bool microscope_find_medium(const struct microscope_input *input, struct microscope_row *row,
                                    struct error *error)
 {
-    const char *marked = input->objective.name != NULL ? input->objective.behind : "";
-    int medium = input->immersion;
+    int marked, medium = input->immersion;
+    if (!microscope_read_mark(&input->objective, &marked, error)) {
+        return false;
+    }
     if (is_given(input->index)) {
         row->setting.index = input->index;
         return true;
     }
-    for (int i = MEDIUM_AIR; media[i].word != NULL && medium == MEDIUM_AUTO; i++) {
-        if (text_same(text_of(marked), media[i].word)) {
-            medium = i;
-        }
-    }
-    if (marked[0] != '\0' && medium == MEDIUM_AUTO) {
-        fail(error, ERROR_USAGE, "{objective} '%s': '%s' is none of air, water, glycerol and oil",
-             input->objective.name, marked);
-        return error_hint(error, "an eyepiece is {--eyepiece} 10x/22, power and field number");
+    if (medium == MEDIUM_AUTO) {
+        medium = marked;
+    } else if (marked != MEDIUM_AUTO && marked != medium) {
+        return fail(error, ERROR_USAGE, "{objective} '%s' is not for {--immersion} %s",
+                    input->objective.name, media[medium].word);
     }
     const bool is_assumed = medium == MEDIUM_AUTO;
     if (is_assumed) {
