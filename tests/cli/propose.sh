@@ -13,3 +13,8 @@ for wrong in "-t 1/1000 --propose" "--propose" "-t 30" "-t 30 --own ND8" "-t 30 
     lenscalc exposure --metered 1/125 $wrong
     echo "status $?"
 done
+for wrong in "--ev -2 --film FP4" "--ev 12 --shutter-angle 180deg --frame-rate 24" \
+    "--ev 12 --corrected-time 60s --film FP4"; do
+    lenscalc exposure -N 8 $wrong -t 30s --propose
+    echo "status $?"
+done

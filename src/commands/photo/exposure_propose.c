@@ -37,7 +37,7 @@ static size_t filters_at_hand(const struct exposure_input *input, struct arena *
     return count;
 }
 
-/* The time without further filters, and the stops from it to the wanted one. */
+/* The stops from the time without further filters to the wanted one, both as metered. */
 static bool wanted_stops(const struct exposure_input *bare, double wanted, double *stops,
                          struct error *error)
 {
@@ -55,7 +55,7 @@ static bool wanted_stops(const struct exposure_input *bare, double wanted, doubl
            fail(error, ERROR_DOMAIN,
                 "without another filter the time is %.4g s already: {--time} %.4g s is no longer, "
                 "and {--propose} has nothing to do",
-                row.x.t, metered);
+                isnan(row.corrected_time) ? row.x.t : row.corrected_time, wanted);
 }
 
 bool exposure_propose(const struct exposure_input *input, struct arena *arena,
