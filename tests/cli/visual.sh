@@ -20,6 +20,9 @@ lenscalc telescope -f 1200
 # what is printed is read
 lenscalc visual -f 1200 --diameter 200 --eyepiece 25,10 --apparent-field 52 --csv --digits 6 > rows.csv
 lenscalc visual --batch rows.csv --csv --digits 4 --columns telescope_mm,eyepiece_mm,power,true_field_deg,limiting_magnitude
+for field in "--field 5deg" "--field-width 120m" "--field 6.3deg"; do
+    lenscalc visual "8x42 330ft/1000yd" $field --columns true_field
+done
 for wrong in "" "10" "8in f/6" "10x42 --at 500m" "-f 1200 --aperture 200mm" "10x42 6.5kg" "8x42 330ft" "8x42 330ft/3s" "8x42 --field 330ft" \
     "--telescope 1200 --diameter 200 --eyepiece own.lens" "--telescope 1200 --diameter 200 -N 5" \
     "--telescope 1200 --diameter 200 --eyepiece 25 --power 20" "10x42 --telescope 900" \

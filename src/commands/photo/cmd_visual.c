@@ -251,26 +251,38 @@ static bool visual_read_field(const struct marking_value *marking, double *field
     return true;
 }
 
+/* The true field as given, as an angle or a width, or as it is marked; NaN: none is. */
+static bool visual_true_field(const struct visual_input *input, double at, double *field,
+                              struct error *error)
+{
+    static const double ROUNDED = 0.02; /* markings are */
+    const bool is_width = is_given(input->field_width);
+    double marked;
+    if (!visual_read_field(&input->binoculars, &marked, error)) {
+        return false;
+    }
+    *field = is_width ? 2 * atan(input->field_width / (2 * at)) : input->field;
+    if (!is_given(*field)) {
+        *field = marked;
+    }
+    return !(fabs(*field / marked - 1) > ROUNDED) ||
+           fail(error, ERROR_USAGE, "binoculars '%s' and {--%s} contradict each other: give one",
+                input->binoculars.name, is_width ? "field-width" : "field");
+}
+
 /* The widths and angles of the field, as far as they are known. */
 static bool visual_fill_field(const struct visual_input *input, const struct photo_lens *eyepiece,
                               struct visual_row *row, struct error *error)
 {
-    row->field = (struct visual_field){
-        .stop = input->field_stop, .apparent = input->apparent_field, .true_field = input->field};
+    row->field =
+        (struct visual_field){.stop = input->field_stop, .apparent = input->apparent_field};
     row->at = input->at;
     const bool is_at = is_given(input->at);
-    double marked;
     if (!is_at) {
         row->at = 1e6;
     }
-    if (!visual_read_field(&input->binoculars, &marked, error)) {
+    if (!visual_true_field(input, row->at, &row->field.true_field, error)) {
         return false;
-    }
-    if (is_given(marked)) {
-        row->field.true_field = marked;
-    }
-    if (!isnan(input->field_width)) {
-        row->field.true_field = 2 * atan(input->field_width / (2 * row->at));
     }
     const struct lens *lens = eyepiece->lens;
     const bool is_own = lens != NULL && isnan(input->apparent_field) &&
