@@ -7,6 +7,8 @@ lenscalc exposure --metered 1/4 -t 2min --propose --film "HP5 Plus"
 lenscalc exposure --metered 1/125,1/60 -t 4min --filter polarizer --propose --json \
     --columns filters,time_to_set
 lenscalc exposure --metered 1/125 --filter ND64k
+# ND64000 alone would make more of it than the film is known for
+lenscalc exposure -N 8 --ev 12 -t 30s --film Provia --propose --csv --columns filters,corrected_time
 for wrong in "-t 1/1000 --propose" "--propose" "-t 30" "-t 30 --own ND8" "-t 30 --propose --own ND8,,ND4" \
     "-t 30 --propose --own ND1" "-t 30 --propose --own big" "-t 30 --propose --equivalent" \
     "--filter NDk"; do

@@ -313,31 +313,39 @@ static bool exposure_fill_row(const struct exposure_input *input, const struct p
     return true;
 }
 
-/* One row for each stack of filters. */
+/* One row for each stack of filters but those whose time nobody knows on the film. */
 static bool propose_filters(const struct exposure_input *input, const struct photo_lens *lens,
                             const struct by_rays_row *rays, struct run *run, struct error *error)
 {
     struct exposure_input questions[NEUTRAL_STACKS];
     const char *proposed[NEUTRAL_STACKS];
-    size_t count;
+    size_t count, answered = 0;
     if (!exposure_propose(input, run->arena, questions, proposed, &count, error)) {
         return false;
     }
     for (size_t i = 0; i < count; i++) {
         struct exposure_row row;
         if (!exposure_fill_row(&questions[i], lens, rays, run, &row, error)) {
-            return false;
+            if (input->film.model == NULL || error->code != ERROR_DOMAIN) {
+                return false;
+            }
+            warnings_add(run->doubts, "filters %s are left out: %s", proposed[i], error->message);
+            continue;
         }
+        answered++;
         const double time = isnan(row.corrected_time) ? row.x.t : row.corrected_time;
         row.proposed = proposed[i];
         row.filter = input->filter.name; /* that was on already */
         row.wanted = input->given.t;
         row.longer = log2(time / row.wanted);
         if (!run_emit(run, &row)) {
-            return true;
+            break;
         }
     }
-    return true;
+    if (answered > 0) {
+        error->code = ERROR_NONE;
+    }
+    return answered > 0;
 }
 
 static bool exposure_row_answer(const void *data, const struct photo_lens *lens, struct run *run,
