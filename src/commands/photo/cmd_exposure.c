@@ -214,9 +214,9 @@ static const struct column columns[] = {
     {SHOWN(film_source), .name = "film_source", ASSUMED_BY("film"), .label = "film source",
      .help = "status and source of the film's correction"},
     {SHOWN(K), .name = "meter_k", ASSUMED_BY("meter-k") | COLUMN_ECHO, .symbol = "K",
-     .label = "meter constants K", .help = "of the reflected-light meter"},
-    {SHOWN(C), .name = "meter_c", ASSUMED_BY("meter-c") | COLUMN_ECHO, .symbol = "C", .label = "C",
-     .help = "of the incident-light meter"},
+     .label = "meter constant K", .help = "of the reflected-light meter"},
+    {SHOWN(C), .name = "meter_c", ASSUMED_BY("meter-c") | COLUMN_ECHO, .symbol = "C",
+     .label = "meter constant C", .help = "of the incident-light meter"},
     PHOTO_LENS_WARNING_COLUMN(real),
 };
 
