@@ -83,27 +83,31 @@ bool tsv_open_foreign(struct tsv *tsv, const char *source, struct text content, 
     return tsv_open_table(tsv, source, content, true, error);
 }
 
+/* The column of this name; TSV_MOST_COLUMNS: there is none. */
+static size_t tsv_column_named(const struct tsv *tsv, const char *name)
+{
+    size_t i = 0;
+    while (i < tsv->columns && !text_equal(tsv->names[i], name)) {
+        i++;
+    }
+    return i < tsv->columns ? i : TSV_MOST_COLUMNS;
+}
+
 bool tsv_column(const struct tsv *tsv, const char *name, size_t *column, struct error *error)
 {
-    for (size_t i = 0; i < tsv->columns; i++) {
-        if (text_equal(tsv->names[i], name)) {
-            *column = i;
-            return true;
-        }
-    }
-    return fail_in(error, tsv->source, tsv->line, 0, "the table has no column '%s'", name);
+    *column = tsv_column_named(tsv, name);
+    return *column < TSV_MOST_COLUMNS ||
+           fail_in(error, tsv->source, tsv->line, 0, "the table has no column '%s'", name);
 }
 
 bool tsv_columns(const struct tsv *tsv, const char *const *names, size_t count, size_t needed,
                  size_t *columns, struct error *error)
 {
-    struct error missing;
     for (size_t i = 0; i < count; i++) {
-        if (!tsv_column(tsv, names[i], &columns[i], i < needed ? error : &missing)) {
-            columns[i] = TSV_MOST_COLUMNS;
-            if (i < needed) {
-                return false;
-            }
+        if (i >= needed) {
+            columns[i] = tsv_column_named(tsv, names[i]);
+        } else if (!tsv_column(tsv, names[i], &columns[i], error)) {
+            return false;
         }
     }
     return true;
