@@ -459,7 +459,7 @@ static void write_kept(struct report *report)
 static void text_begin(struct report *report)
 {
     struct text_state *state = ARENA_NEW(report->arena, struct text_state);
-    state->kept = ARENA_ARRAY(report->arena, ROWS_LOOKED_AT, struct kept);
+    state->kept = arena_buffer_array(report->arena, ROWS_LOOKED_AT, sizeof *state->kept);
     state->units = ARENA_ARRAY(report->arena, report->shown_count + 1, const struct unit *);
     state->is_empty = ARENA_ARRAY(report->arena, report->shown_count + 1, bool);
     report->state = state;

@@ -162,9 +162,10 @@ void echo_open(struct echo *echo, const struct echo_question *question, struct a
 {
     const struct sheet *own = question->sheet;
     const size_t most = 2 * question->command->option_count;
-    struct column *columns = ARENA_ARRAY(arena, most + sheet_forms(own), struct column);
-    *echo = (struct echo){
-        .own = own, .sheet = *own, .items = ARENA_ARRAY(arena, most + 1, struct echo_item)};
+    struct column *columns = arena_buffer_array(arena, most + sheet_forms(own), sizeof *columns);
+    *echo = (struct echo){.own = own,
+                          .sheet = *own,
+                          .items = arena_buffer_array(arena, most + 1, sizeof *echo->items)};
     echo->sheet.column_count = sheet_spread(own, columns + most, arena);
     echo->sheet.row_size = (own->row_size + VALUE - 1) / VALUE * VALUE;
     for (size_t i = 0; i < question->command->option_count; i++) {
