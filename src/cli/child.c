@@ -182,7 +182,9 @@ struct child_reading {
 static bool reading_goes_on(const struct child_reading *reading)
 {
     reading->end->is_late = seconds_now() - reading->begun >= reading->child->seconds;
-    reading->end->is_long = reading->streams[0].count > reading->child->most;
+    for (size_t i = 0; i < STREAMS; i++) {
+        reading->end->is_long |= reading->streams[i].count > reading->child->most;
+    }
     return !reading->end->is_late && !reading->end->is_long && !signal_waits(reading->usual);
 }
 

@@ -13,7 +13,7 @@ struct child {
                            arguments; ends with null */
     bool is_read;       /* keep what it prints, else only what it says reaches standard error */
     double seconds;     /* after which it is ended, if it is read */
-    size_t most;        /* bytes of its output, if it is read */
+    size_t most;        /* bytes that it may print, or say, if it is read */
 };
 
 struct child_end {

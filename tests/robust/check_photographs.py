@@ -192,6 +192,7 @@ def check_broken(tester):
         "dies": ("kill -9 $$\n", "(signal 9)"),
         "nonsense": ("echo hello\n", "exiftool does not read it (status 0)"),
         "flood": ("yes '[{'\n", "printed too much"),
+        "complaints": ("yes >&2\n", "printed too much"),
         "nothing": (f"echo '[{{{empty}}}]'\n", "nothing in it says how it was taken"),
         "half": (f"echo '[{{{empty}, \"ISO\": 1'\n", "exiftool does not read it"),
         "reads": ("cat; exit 1\n", "(status 1)"),  # there is nothing to read
