@@ -215,25 +215,24 @@ static bool list_read(struct exif_reading *reading, size_t at, struct error *err
     const struct exif_part *part = &reading->part;
     const bool is_big = part->is_big_endian;
     unsigned char bytes[TAG_SIZE];
-    unsigned count = 0, i = 0;
-    if (part_read(part, at, bytes, COUNT_SIZE)) {
-        count = number_16(bytes, is_big);
-        for (;
-             i < count && part_read(part, at + COUNT_SIZE + (size_t)i * TAG_SIZE, bytes, TAG_SIZE);
-             i++) {
-            struct exif_tag tag = {.number = number_16(bytes, is_big),
-                                   .type = number_16(bytes + 2, is_big),
-                                   .count = number_32(bytes + 4, is_big)};
-            memcpy(tag.value, bytes + 8, sizeof tag.value);
-            take_tag(reading, &tag);
-        }
-        if (i == count) {
-            return true;
-        }
+    unsigned i = 0;
+    if (!part_read(part, at, bytes, COUNT_SIZE)) {
+        return fail(error, ERROR_DATA,
+                    "the Exif data are cut short: their list at byte %zu is not there",
+                    part->start + at);
     }
-    return fail(error, ERROR_DATA,
-                "the Exif data are cut short: tag %u of %u in the list at byte %zu", i + 1, count,
-                part->start + at);
+    const unsigned count = number_16(bytes, is_big);
+    for (; i < count && part_read(part, at + COUNT_SIZE + (size_t)i * TAG_SIZE, bytes, TAG_SIZE);
+         i++) {
+        struct exif_tag tag = {.number = number_16(bytes, is_big),
+                               .type = number_16(bytes + 2, is_big),
+                               .count = number_32(bytes + 4, is_big)};
+        memcpy(tag.value, bytes + 8, sizeof tag.value);
+        take_tag(reading, &tag);
+    }
+    return i == count || fail(error, ERROR_DATA,
+                              "the Exif data are cut short: tag %u of %u in the list at byte %zu",
+                              i + 1, count, part->start + at);
 }
 
 /* A positive number that APEX values stand for; NaN if it is none. */
