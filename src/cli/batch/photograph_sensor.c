@@ -51,8 +51,11 @@ static bool camera_find(const struct reader *reader, const struct metadata *meta
     if (model.length == 0) {
         return fail(error, ERROR_USAGE, "no camera");
     }
-    if (camera_named(reader, model, make, camera, error) || error->code != ERROR_USAGE) {
-        return error->code == ERROR_NONE;
+    if (camera_named(reader, model, make, camera, error)) {
+        return true;
+    }
+    if (error->code != ERROR_USAGE) {
+        return false;
     }
     /* several makers may have one of that name */
     const char *both = arena_printf(reader->arena, "%.*s %.*s", (int)maker.length, maker.start,
