@@ -142,6 +142,16 @@ bool text_lists(const char *words, struct text word)
     return found;
 }
 
+bool text_lists_name(const char *names, struct text name)
+{
+    struct text rest = text_of(names);
+    bool found = false;
+    while (rest.length > 0 && !found) {
+        found = text_same_name(name, text_cut(&rest, ' '));
+    }
+    return found;
+}
+
 struct text text_cut_range(struct text *rest)
 {
     const struct text whole = *rest;

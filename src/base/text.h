@@ -74,6 +74,9 @@ struct text text_behind(struct text text, const char *begin);
 /* Is it one of the blank-separated words? Null: there are none. Case counts. */
 bool text_lists(const char *words, struct text word);
 
+/* The same of names as text_same_name compares them. */
+bool text_lists_name(const char *names, struct text name);
+
 /* Without blanks and tabs at both ends. */
 struct text text_trim(struct text text);
 

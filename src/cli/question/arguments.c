@@ -56,7 +56,7 @@ static struct argument *named_by(const struct arguments *arguments, struct text 
                                  const struct trade_name *all)
 {
     for (size_t i = 0; all[i].names != NULL; i++) {
-        if (trade_name_is(&all[i], name)) {
+        if (text_lists_name(all[i].names, name)) {
             for (size_t j = 0; j < arguments->count; j++) {
                 if (strcmp(arguments->all[j].option->name, all[i].option) == 0) {
                     return &arguments->all[j];

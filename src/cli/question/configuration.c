@@ -127,6 +127,21 @@ static bool is_meant(const struct command *command, const struct command *only)
     return only != NULL ? command == only : command_has_defaults(command);
 }
 
+/* The option that is typed with such a letter, -f, of a command that the line is for; or null. */
+static const struct option *configuration_lettered(const struct command *const *commands,
+                                                   const struct command *only, struct text name)
+{
+    const struct option *option = NULL;
+    for (size_t i = 0; commands[i] != NULL && name.length == 1; i++) {
+        for (size_t j = 0; (option = command_option(commands[i], j)) != NULL; j++) {
+            if (is_meant(commands[i], only) && option->letter == name.start[0]) {
+                return option;
+            }
+        }
+    }
+    return NULL;
+}
+
 /* Has any of the commands that the line is for this option? */
 static bool check_name(const struct config_file *file, const struct config_entry *entry,
                        const struct command *const *commands, struct error *error)
@@ -141,8 +156,9 @@ static bool check_name(const struct config_file *file, const struct config_entry
     if (found) {
         return true;
     }
+    const struct option *lettered = configuration_lettered(commands, only, name);
     struct nearest nearest = {.typed = name};
-    for (size_t i = 0; commands[i] != NULL; i++) {
+    for (size_t i = 0; commands[i] != NULL && lettered == NULL; i++) {
         if (is_meant(commands[i], only)) {
             configuration_offer(&nearest, commands[i]);
         }
@@ -154,6 +170,9 @@ static bool check_name(const struct config_file *file, const struct config_entry
         config_file_fail(file, entry, name, error, "no command has an option '%.*s'",
                          text_shown(name), name.start);
     }
+    if (lettered != NULL) {
+        nearest.best = text_of(lettered->name);
+    }
     return nearest.best.start != NULL &&
            error_hint(error, "did you mean '%.*s'?", (int)nearest.best.length, nearest.best.start);
 }
@@ -163,7 +182,7 @@ static bool check_entry(const struct config_file *file, const struct config_entr
                         struct error *error)
 {
     const struct text name = entry->name;
-    if (text_lists(of_one_question, name)) {
+    if (text_lists_name(of_one_question, name)) {
         return config_file_fail(file, entry, name, error,
                                 "'%.*s' is for one question, typed: it has no default",
                                 (int)name.length, name.start);

@@ -2,6 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "cli/question/trade_names.h"
 
+#include <stddef.h>
+
 const struct trade_name trade_aliases[] = {
     {"fstop fnumber", "aperture"},
     {"shutter shutterspeed exposuretime", "time"},
@@ -78,13 +80,3 @@ const struct trade_name trade_hints[] = {
     {"medium", "before"},
     {NULL, NULL},
 };
-
-bool trade_name_is(const struct trade_name *one, struct text name)
-{
-    struct text words = text_of(one->names);
-    bool found = false;
-    while (words.length > 0 && !found) {
-        found = text_same_name(name, text_cut(&words, ' '));
-    }
-    return found;
-}

@@ -3,11 +3,7 @@
 #ifndef LENSCALC_CLI_QUESTION_TRADE_NAMES_H
 #define LENSCALC_CLI_QUESTION_TRADE_NAMES_H
 
-#include "base/text.h"
-
-#include <stdbool.h>
-
-/* Names, with blanks between them, and the option that they stand for where a command has it. */
+/* Names for text_lists_name, and the option that they stand for where a command has it. */
 struct trade_name {
     const char *names, *option;
 };
@@ -18,8 +14,5 @@ extern const struct trade_name trade_aliases[];
 
 /* Those that may be meant so, or are measured in another way: they are hints. Ended likewise. */
 extern const struct trade_name trade_hints[];
-
-/* Is the name one of these? Case, blanks and marks between words do not matter. */
-bool trade_name_is(const struct trade_name *one, struct text name);
 
 #endif
