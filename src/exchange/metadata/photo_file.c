@@ -35,13 +35,21 @@ bool photo_is_plain(const char *ending)
     return ending < endings[PLAIN_ENDINGS];
 }
 
+/* A file that is read here and there. */
+struct photo_source {
+    int descriptor;
+    int *reason; /* errno of a read that failed; 0 = none has, the end of the file is no failure */
+};
+
 static bool file_bytes(const void *context, size_t at, void *into, size_t count)
 {
-    const int descriptor = *(const int *)context;
+    const struct photo_source *source = context;
     size_t got = 0;
     while (got < count) {
-        const ssize_t more = pread(descriptor, (char *)into + got, count - got, (off_t)(at + got));
+        const ssize_t more =
+            pread(source->descriptor, (char *)into + got, count - got, (off_t)(at + got));
         if (more == 0 || (more < 0 && errno != EINTR)) {
+            *source->reason = more < 0 ? errno : *source->reason;
             return false;
         }
         got += more > 0 ? (size_t)more : 0;
@@ -60,10 +68,12 @@ bool photo_file_read(const char *path, struct metadata *metadata, struct error *
         }
         return false;
     }
+    int reason = 0;
+    const struct photo_source source = {descriptor, &reason};
     const struct exif_bytes bytes = {
-        .read = file_bytes, .context = &descriptor, .length = (size_t)file.st_size};
+        .read = file_bytes, .context = &source, .length = (size_t)file.st_size};
     const bool done = S_ISREG(file.st_mode) ? exif_read(&bytes, metadata, error)
                                             : fail(error, ERROR_DATA, "this is no regular file");
     close(descriptor);
-    return done;
+    return reason == 0 ? done : fail(error, ERROR_IO, "cannot read it: %s", strerror(reason));
 }
