@@ -111,6 +111,13 @@ ssize_t read(int file, void *to, size_t length)
     return fails(READ) ? -1 : syscall(SYS_read, file, to, length);
 }
 
+ssize_t pread(int file, void *to, size_t length, off_t at)
+{
+    return fails(READ) ? -1 : syscall(SYS_pread64, file, to, length, at);
+}
+
+ssize_t pread64(int file, void *to, size_t length, off_t at) __attribute__((alias("pread")));
+
 ssize_t write(int file, const void *from, size_t length)
 {
     return fails(WRITE) ? -1 : syscall(SYS_write, file, from, length);
