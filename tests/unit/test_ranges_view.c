@@ -164,7 +164,7 @@ static void test_fov_distance(void)
     CHECK_RELATIVE(a.setting.s, 550.0, 1e-15, "f (1 + 0.2/0.02)");
     a.sensor.pitch = NAN;
     a.setting = lens;
-    MISUSED(fov_solve(&a, &error), "pixel density needs pixel pitch or pixels");
+    MISUSED(fov_solve(&a, &error), "a pixel density needs pixel pitch or pixels");
     OUTSIDE(solved(&lens, GOALS(.field_width = 0), &a, &error),
             "field width 0 mm must be above 0 and finite");
     lens.f = 0;
