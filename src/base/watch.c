@@ -23,11 +23,19 @@ void watch_tell(struct watch *watch, void (*tell)(const void *context, char *wor
     }
 }
 
-/* Unless another thread does. */
-static void watch_look(struct watch *watch)
+static bool is_time(struct watch *watch)
+{
+    return atomic_load(&watch->done) >= atomic_load(&watch->next);
+}
+
+/* Unless another thread does; where `always` is false only if it still is time: another thread may
+   have looked since that was asked. */
+static void watch_look(struct watch *watch, bool always)
 {
     if (!atomic_flag_test_and_set(&watch->is_busy)) {
-        watch->look(watch);
+        if (always || is_time(watch)) {
+            watch->look(watch);
+        }
         atomic_flag_clear(&watch->is_busy);
     }
 }
@@ -37,9 +45,9 @@ bool watch_add(struct watch *watch, size_t more)
     if (watch == NULL) {
         return true;
     }
-    size_t done = atomic_fetch_add(&watch->done, more) + more;
-    if (done >= atomic_load(&watch->next)) {
-        watch_look(watch);
+    atomic_fetch_add(&watch->done, more);
+    if (is_time(watch)) {
+        watch_look(watch, false);
     }
     return !atomic_load(&watch->is_ended);
 }
@@ -47,7 +55,7 @@ bool watch_add(struct watch *watch, size_t more)
 bool watch_ask(struct watch *watch)
 {
     if (watch != NULL) {
-        watch_look(watch);
+        watch_look(watch, true);
     }
     return !watch_is_ended(watch);
 }
