@@ -19,7 +19,7 @@ import tempfile
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-from check_options import ASKED
+from check_options import ASKED, UNTIMED
 from harness import EVERYTHING, Checks, Program
 
 # metres are millimetres inside: 1e305 of them is the last power of ten that is a number there
@@ -130,7 +130,8 @@ def main():
                 program.run("render", *ASKED["render"][0].split(), "-o",
                             "one.part" if command == "merge" else "one.png", cwd=folder)
             for asked in (ASKED[command][0], *MORE.get(command, ())):
-                check_question(checks, program, [command, *asked.split()], folder, some)
+                untimed = UNTIMED if command == "bench" else ()
+                check_question(checks, program, [command, *asked.split(), *untimed], folder, some)
     checks.finish()
 
 

@@ -93,6 +93,8 @@ ASKED = {
     "help": ("", None, None),
     "completion": ("bash", None, None),
 }
+# Columns of bench that take no time to be found, and come out again.
+UNTIMED = ("--columns", "model,rms_error,digits")
 ODD_LENS = ("MODE SEQ\nUNIT MM\nENPD 10\nFTYP 0 0 2 1 0 0 0\nYFLN 0 5\nVDXN 0 0.1\n"
             "WAVM 1 0.5876 1\nPWAV 1\nSURF 0\n  DISZ INFINITY\nSURF 1\n  STOP\n  CURV 0.02\n"
             "  DISZ 4\n  GLAS N-BK7 0 0 1.6 40\n  USAP slit.uda\n  DIAM 6\nSURF 2\n  DIAM 6\n  DISZ 90\nSURF 3\n")
@@ -162,12 +164,12 @@ class Asked:
         question, self.pair, self.batch = ASKED[command]
         self.question = question.split()
         self.plain = self.run()
-        # of times, which never come out again, nothing is compared
-        self.steady = ("--columns", "model,rms_error") if command == "bench" else ()
 
     def run(self, *more, question=None, stdin=""):
-        words = self.question if question is None else question
-        return self.program.run(self.command, *words, *more, stdin=stdin, cwd=self.folder)
+        words = [*(self.question if question is None else question), *more]
+        if self.command == "bench" and not {"--columns", "--value", "--plot"} & set(words):
+            words += UNTIMED
+        return self.program.run(self.command, *words, stdin=stdin, cwd=self.folder)
 
     def differs(self, *more, plain=None):
         result = self.run(*more)
@@ -330,12 +332,11 @@ def try_output(asked):
              "tolerance": "double-gauss --trials 9 --save worst:1 -o out.lens".split()}
     if asked.command in saves:
         return asked.run(question=saves[asked.command]).returncode == 0
-    result = asked.run("-o", ending, *asked.steady)
+    result = asked.run("-o", ending)
     path = os.path.join(asked.folder, ending)
     with open(path if os.path.exists(path) else os.devnull, "rb") as file:
         content = file.read()
-    plain = asked.run(*asked.steady) if asked.steady else asked.plain
-    return result.returncode == 0 and (content == plain.stdout or
+    return result.returncode == 0 and (content == asked.plain.stdout or
                                         asked.command in ("fit", "optimize"))
 
 
@@ -456,9 +457,9 @@ def check_batch_beside_option(checks, asked):
     """A filled cell wins over an option, which is what an empty one takes."""
     header, *cells = asked.batch.split("\n")[:3]
     name, question = "-" * (1 + (len(header) > 1)) + header, asked.without(header)
-    plain = asked.batched("--csv", *asked.steady)
+    plain = asked.batched("--csv")
     for cell in cells:
-        words = ("--batch", "-", "--csv", *asked.steady, f"{name}={cell}")
+        words = ("--batch", "-", "--csv", f"{name}={cell}")
         filled = asked.run(*words, question=question, stdin=asked.batch)
         checks.check(filled.returncode == 0 and filled.stdout == plain.stdout,
                      f"{asked.command} {name}={cell} beside a column of it: status "
