@@ -10,6 +10,7 @@
 
 #include <math.h>
 #include <stddef.h>
+#include <stdlib.h>
 
 /* Given: panels, svg and the shared scales; the rest is set by panels_page_begin. */
 struct panels_page {
@@ -25,6 +26,7 @@ struct panels_page {
 
 static const double MARGIN = 20, TITLE = 17, WORDS = 13, LINE = 20; /* px */
 static const double BOLD = 1.12;                                    /* letters, to plain ones */
+static const double CAPTION = 26;                                   /* above a row */
 static const double SAMPLE = 28;                                    /* px of a line in the legend */
 
 static const char *const DARK = "#1d1d1d", *const SOFT = "#444";
@@ -92,8 +94,8 @@ static void set_size(struct panels_page *page)
     static const struct {
         size_t columns;
         double width, height, square;
-    } sizes[] = {{1, 480, 220, 220}, {2, 330, 150, 180}, {3, 250, 140, 150}, {4, 200, 125, 150},
-                 {6, 160, 110, 130}, {9, 130, 100, 110}, {99, 110, 90, 84}};
+    } sizes[] = {{1, 480, 220, 280}, {2, 330, 150, 250}, {3, 250, 140, 220}, {4, 200, 125, 180},
+                 {6, 160, 110, 150}, {9, 130, 100, 110}, {99, 110, 90, 84}};
     size_t i = 0;
     while (sizes[i].columns < page->panels->columns) {
         i++;
@@ -144,6 +146,7 @@ static void panels_page_set_grid(struct panels_page *page)
     const struct panels *panels = page->panels;
     bool square = panels->unit != NULL;
     double numbers = beside(page), title = any_title(panels) ? 20 : 0;
+    const double caption = panels->row_captions != NULL ? CAPTION : 0;
     double below = 14, under = 20; /* notes or numbers: of each row, and of the last */
     if (square) {
         below = 24;
@@ -154,14 +157,17 @@ static void panels_page_set_grid(struct panels_page *page)
     page->left =
         MARGIN + (panels->y_label != NULL ? 22 : 0) + (panels->row_heads ? 22 : 0) + numbers;
     page->across = page->width + gap_across(page, numbers);
-    page->down = page->height + title + below;
+    page->down = page->height + title + below + caption;
     double grid = page->left + page->across * (double)(panels->columns - 1) + page->width + MARGIN;
     double words = fmax(panels->title != NULL ? BOLD * svg_text_width(panels->title, TITLE) : 0,
                         panels->subtitle != NULL ? svg_text_width(panels->subtitle, WORDS) : 0);
-    page->total_x = fmax(fmax(grid, 440), fmin(words + 2 * MARGIN, 1000));
+    const size_t rows = (panels->count + panels->columns - 1) / panels->columns;
+    for (size_t i = 0; panels->row_captions != NULL && i < rows; i++) {
+        words = fmax(words, page->left - MARGIN + svg_text_width(panels->row_captions[i], WORDS));
+    }
+    page->total_x = fmax(fmax(grid, 440), fmin(words + 2 * MARGIN + 1, 1000));
     double legend = lay_legend(page, panels->subtitle != NULL ? 76 : 56, false);
-    page->top = legend + 16 + title + (panels->column_heads != NULL ? 20 : 0);
-    size_t rows = (panels->count + panels->columns - 1) / panels->columns;
+    page->top = legend + 16 + title + caption + (panels->column_heads != NULL ? 20 : 0);
     page->bottom = page->top + page->down * (double)(rows - 1) + page->height + under;
     page->total_y = page->bottom + (panels->x_label != NULL ? 20 : 0) + (square ? 30 : 0) + 10;
 }
@@ -211,12 +217,18 @@ static void draw_heads(const struct panels_page *page)
     for (size_t i = 0; panels->column_heads != NULL && i < panels->columns; i++) {
         const struct panels_cell cell = panels_page_cell(page, i);
         const struct svg_label label = {.x = cell.left + cell.width / 2,
-                                        .y = cell.top - (any_title(panels) ? 27 : 7),
+                                        .y = cell.top - (any_title(panels) ? 27 : 7) -
+                                             (panels->row_captions != NULL ? CAPTION : 0),
                                         .size = WORDS,
                                         .width = page->across - 4,
                                         .anchor = SVG_MIDDLE,
                                         .bold = true};
         svg_text(page->svg, &label, panels->column_heads[i]);
+    }
+    for (size_t i = 0; panels->row_captions != NULL && i < rows; i++) {
+        const struct panels_cell cell = panels_page_cell(page, i * panels->columns);
+        svg_words_within(page->svg, cell.left, cell.top - (any_title(panels) ? 28 : 9), WORDS,
+                         page->total_x - cell.left - 4, NULL, panels->row_captions[i]);
     }
     for (size_t i = 0; panels->row_heads != NULL && i < rows; i++) {
         const struct panels_cell cell = panels_page_cell(page, i * panels->columns);
@@ -313,6 +325,42 @@ static void set_axes(const struct panels *panels, struct panels_scale *x, struct
     panels_include(y, y->ticks.value[0], y->ticks.value[y->ticks.count - 1]);
 }
 
+static int ascending(const void *first, const void *second)
+{
+    const double a = *(const double *)first, b = *(const double *)second;
+    return (a > b) - (a < b);
+}
+
+double panels_bulk(double *values, size_t count)
+{
+    const size_t share = 50; /* one in so many may lie outside */
+    const double room = 1.3;
+    if (count == 0) {
+        return 0;
+    }
+    qsort(values, count, sizeof *values, ascending);
+    const double most = values[count - 1], inner = values[count - 1 - count / share];
+    return most > 2 * inner && inner > 0 ? fmin(room * inner, most) : most;
+}
+
+/* How far out a panel of spots is looked at. */
+static double spots_reach(const struct panel *panel, struct arena *arena)
+{
+    size_t all = 0, count = 0;
+    for (size_t s = 0; s < panel->count; s++) {
+        all += panel->series[s].count;
+    }
+    double *far = ARENA_ARRAY(arena, all + 1, double);
+    for (size_t s = 0; s < panel->count; s++) {
+        const struct panel_series *series = &panel->series[s];
+        for (size_t i = 0; i < series->count; i++) {
+            far[count] = fmax(fabs(series->x[i]), fabs(series->y[i]));
+            count += isfinite(series->x[i] + series->y[i]) ? 1 : 0;
+        }
+    }
+    return panels_bulk(far, count);
+}
+
 static const struct panels_scale nothing = {.low = INFINITY, .high = -INFINITY};
 
 static bool set_shared(struct panels_page *page, struct error *error)
@@ -332,8 +380,10 @@ static bool set_shared(struct panels_page *page, struct error *error)
     }
     if (panels->unit) {
         /* One scale for both directions, the origin in the middle. */
+        most = 0;
         for (size_t k = 0; k < panels->count; k++) {
             most = fmax(most, panels->panels[k].circle);
+            most = fmax(most, spots_reach(&panels->panels[k], page->svg->arena));
         }
         most = most > 0 ? 1.06 * most : 1;
         page->x = page->y = (struct panels_scale){.low = -most, .high = most};
@@ -372,6 +422,9 @@ bool panels_draw(const struct panels *panels, struct svg *svg, struct error *err
     panels_page_begin(&page);
     for (size_t i = 0; i < panels->count; i++) {
         struct panels_cell cell = panels_page_cell(&page, i);
+        if (panels->panels[i].is_absent) {
+            continue;
+        }
         choose_scales(&page, &panels->panels[i], &cell.x, &cell.y);
         panels_cell_draw(panels, svg, &cell, &panels->panels[i]);
     }

@@ -24,13 +24,15 @@ struct panel {
     const char *x_label, *y_label; /* where the axis is the panel's own (own_x, own_y) */
     const struct panel_series *series;
     size_t count;
-    double circle; /* radius about the origin, in units of the axes: an Airy disc; 0 = none */
+    double circle;  /* radius about the origin, in units of the axes: an Airy disc; 0 = none */
+    bool is_absent; /* its place stays empty */
 };
 
 /*
  * The page: a grid of panels, row by row. Axes have one scale for all panels and numbers along the
  * left and the lower edge, unless own_x or own_y gives each panel its own. With `unit` there are no
- * axes: both directions have the same scale, which a bar explains, and the origin is marked.
+ * axes: both directions have the same scale, which a bar explains, and the origin is marked. Spots
+ * of all series of a panel are drawn in turns, a part of each, so that none hides the others.
  */
 struct panels {
     const char *title, *subtitle;    /* null = none */
@@ -38,6 +40,7 @@ struct panels {
     const char *unit;                /* of the scale bar, "µm"; null = axes */
     const char *const *column_heads; /* over the columns, null = none */
     const char *const *row_heads;    /* beside the rows, null = none */
+    const char *const *row_captions; /* above the rows, null = none */
     const char *const *keys;         /* what the looks mean: the legend; null = none is drawn */
     size_t key_count;                /* series have key < key_count, but for null keys */
     bool light;                      /* keys are wavelengths, ascending: violet to red */
@@ -55,11 +58,20 @@ struct panels {
  * Draw the page as a whole SVG document into `svg`, which must be empty.
  *
  * Result    The ranges hold all points and reach to round numbers, x only if no range was given.
- *           Colours are safe for the colour-blind; curves differ by their dashes, spots by their
- *           shapes too. A point between gaps is a dot
+ *           Colours are safe for the colour-blind; curves differ by their dashes too. A point
+ *           between gaps is a dot
+ *           With `unit`: where 2 % of a panel's points lie more than twice as far out as all the
+ *           others the page ends before them, and the note says how many are outside
  * Errors    ERROR_DOMAIN: no panel has a point, or values beyond 1e12;
  *           ERROR_USAGE: more than 400 panels or 20 columns, which nobody can read
  */
 bool panels_draw(const struct panels *panels, struct svg *svg, struct error *error);
+
+/*
+ * How far an axis has to reach for the bulk of values that are not negative, which are put in
+ * order: to the largest, or where one in fifty at most is more than twice as large as all others,
+ * to 1.3 times the largest of those.
+ */
+double panels_bulk(double *values, size_t count);
 
 #endif

@@ -30,43 +30,30 @@ static const char *colour_of(const struct panels *panels, size_t key)
                                  : spectrum[chosen[count - 1][key] - '0'];
 }
 
-/* Corners of the shapes of spots, in their radius; the first is a dot. */
-static const struct {
-    size_t count;
-    double x[4], y[4];
-} shapes[] = {
-    {0, {0}, {0}},
-    {3, {0, 1.1, -1.1}, {-1.2, 0.8, 0.8}},
-    {4, {-0.9, 0.9, 0.9, -0.9}, {-0.9, -0.9, 0.9, 0.9}},
-    {4, {0, 1.25, 0, -1.25}, {-1.25, 0, 1.25, 0}},
-    {3, {0, 1.1, -1.1}, {1.2, -0.8, -0.8}},
-};
+/* Of spots: px, and so many that they touch are smaller. */
+static const double RADIUS = 1.5, SMALLEST = 0.7, LARGEST = 2.6, LARGE = 3, FEW = 300;
 
-static const double RADIUS = 1.5, LARGE = 3; /* px, of a spot */
-
-static void panels_marks_draw_spots(struct svg *svg, size_t look, const char *colour,
-                                    const struct panels_mark *mark)
+static double spot_radius(size_t count)
 {
-    size_t shape = look % COUNT(shapes), corners = shapes[shape].count;
-    size_t each = (corners > 0 ? corners : 1) + 1;
-    double *x = ARENA_ARRAY(svg->arena, mark->count * each + 1, double);
-    double *y = ARENA_ARRAY(svg->arena, mark->count * each + 1, double);
-    double radius = mark->large ? LARGE : RADIUS;
+    const double radius = RADIUS * sqrt(FEW / (double)(count > 0 ? count : 1));
+    return fmin(fmax(radius, SMALLEST), LARGEST);
+}
+
+/* Every so many of the points of a mark, from one on. */
+static void panels_marks_draw_spots(struct svg *svg, const char *colour,
+                                    const struct panels_mark *mark, double radius, size_t from,
+                                    size_t step)
+{
+    double *x = ARENA_ARRAY(svg->arena, 2 * (mark->count / step + 1), double);
+    double *y = ARENA_ARRAY(svg->arena, 2 * (mark->count / step + 1), double);
     size_t n = 0;
-    for (size_t i = 0; i < mark->count; i++) {
-        for (size_t k = 0; k + 1 < each; k++) {
-            x[n] = mark->x[i] + radius * shapes[shape].x[k];
-            y[n++] = mark->y[i] + radius * shapes[shape].y[k];
-        }
+    for (size_t i = from; i < mark->count; i += step) {
+        x[n] = mark->x[i];
+        y[n++] = mark->y[i];
         x[n] = y[n] = NAN;
         n++;
     }
-    if (corners == 0) {
-        svg_styled_polyline(svg, &(struct svg_style){.stroke = colour, .width = 2 * radius}, x, y,
-                            n);
-    } else {
-        svg_styled_polygon(svg, &(struct svg_style){.fill = colour}, x, y, n);
-    }
+    svg_styled_polyline(svg, &(struct svg_style){.stroke = colour, .width = 2 * radius}, x, y, n);
 }
 
 void panels_marks_draw(const struct panels *panels, struct svg *svg, const struct panels_mark *mark)
@@ -77,7 +64,7 @@ void panels_marks_draw(const struct panels *panels, struct svg *svg, const struc
     size_t look =
         (mark->key + panels->key_count - middle) % (panels->key_count > 0 ? panels->key_count : 1);
     if (mark->spots) {
-        panels_marks_draw_spots(svg, look, colour, mark);
+        panels_marks_draw_spots(svg, colour, mark, LARGE, 0, 1);
         return;
     }
     svg_styled_polyline(
@@ -168,29 +155,101 @@ static bool holds_zero(const struct panels_scale *scale)
     return scale->low <= 0 && scale->high >= 0;
 }
 
+/* The points of a series on the page. */
+static struct panels_mark panels_cell_mark(struct arena *arena, const struct panels_cell *cell,
+                                           const struct panel_series *series)
+{
+    double *x = ARENA_ARRAY(arena, series->count + 1, double);
+    double *y = ARENA_ARRAY(arena, series->count + 1, double);
+    for (size_t i = 0; i < series->count; i++) {
+        x[i] = at_x(cell, series->x[i]);
+        y[i] = at_y(cell, series->y[i]);
+    }
+    return (struct panels_mark){
+        .x = x, .y = y, .count = series->count, .key = series->key, .spots = series->spots};
+}
+
+/* Spots of all series, a slice of each in turn: where they overlap the colours mix. */
+static void draw_spots(const struct panels *panels, struct svg *svg, const struct panels_cell *cell,
+                       const struct panel *panel)
+{
+    struct panels_mark *marks = ARENA_ARRAY(svg->arena, panel->count + 1, struct panels_mark);
+    size_t all = 0, count = 0;
+    for (size_t s = 0; s < panel->count; s++) {
+        if (panel->series[s].spots) {
+            marks[count] = panels_cell_mark(svg->arena, cell, &panel->series[s]);
+            all += marks[count++].count;
+        }
+    }
+    enum { SLICES = 24 };
+    const size_t slices = count > 1 ? SLICES : 1;
+    for (size_t slice = 0; slice < slices; slice++) {
+        for (size_t s = 0; s < count; s++) {
+            /* none is always the last */
+            const struct panels_mark *mark = &marks[(s + slice) % count];
+            panels_marks_draw_spots(svg, colour_of(panels, mark->key), mark, spot_radius(all),
+                                    slice, slices);
+        }
+    }
+}
+
 /* The curves and spots. */
 static void draw_series(const struct panels *panels, struct svg *svg,
                         const struct panels_cell *cell, const struct panel *panel)
 {
-    struct arena *arena = svg->arena;
     svg_clip_begin(svg, cell->left - 1, cell->top - 1, cell->width + 2, cell->height + 2);
     for (size_t s = 0; s < panel->count; s++) {
-        const struct panel_series *series = &panel->series[s];
-        double *x = ARENA_ARRAY(arena, series->count + 1, double);
-        double *y = ARENA_ARRAY(arena, series->count + 1, double);
-        for (size_t i = 0; i < series->count; i++) {
-            x[i] = at_x(cell, series->x[i]);
-            y[i] = at_y(cell, series->y[i]);
+        if (!panel->series[s].spots) {
+            const struct panels_mark mark = panels_cell_mark(svg->arena, cell, &panel->series[s]);
+            panels_marks_draw(panels, svg, &mark);
         }
-        const struct panels_mark mark = {
-            .x = x, .y = y, .count = series->count, .key = series->key, .spots = series->spots};
-        panels_marks_draw(panels, svg, &mark);
     }
+    draw_spots(panels, svg, cell, panel);
     if (panel->circle > 0) {
         svg_styled_circle(svg, &(struct svg_style){.stroke = SOFT, .width = 1, .dash = "3 3"},
                           at_x(cell, 0), at_y(cell, 0), at_x(cell, panel->circle) - at_x(cell, 0));
     }
     svg_group_end(svg);
+}
+
+/* ", 2 % outside": of the points those that the panel does not show; null: none. */
+static const char *points_outside(struct arena *arena, const struct panels_cell *cell,
+                                  const struct panel *panel)
+{
+    size_t all = 0, out = 0;
+    for (size_t s = 0; s < panel->count; s++) {
+        const struct panel_series *series = &panel->series[s];
+        for (size_t i = 0; i < series->count; i++) {
+            const bool is_there = isfinite(series->x[i] + series->y[i]);
+            const double far = fmax(fabs(series->x[i]), fabs(series->y[i]));
+            all += is_there ? 1 : 0;
+            out += is_there && far > cell->x.high ? 1 : 0;
+        }
+    }
+    return out > 0 ? arena_printf(arena, ", %.2g %% outside", 100 * (double)out / (double)all)
+                   : NULL;
+}
+
+/* Below spots; inside at the top of curves, or in the middle of what is empty. */
+static void panels_cell_draw_note(const struct panels *panels, struct svg *svg,
+                                  const struct panels_cell *cell, const struct panel *panel,
+                                  bool any)
+{
+    const bool spots = panels->unit != NULL;
+    const char *outside = spots ? points_outside(svg->arena, cell, panel) : NULL;
+    double y = spots ? cell->top + cell->height + 14 : cell->top + 14;
+    if (!any) {
+        y = cell->top + cell->height / 2 + 4;
+    }
+    struct svg_label note = {.x = cell->left + cell->width / 2,
+                             .y = y,
+                             .size = NOTE,
+                             .width = cell->room,
+                             .anchor = SVG_MIDDLE,
+                             .colour = SOFT};
+    svg_text(svg, &note,
+             outside != NULL && panel->note != NULL ? ARENA_JOIN(svg->arena, panel->note, outside)
+                                                    : panel->note);
 }
 
 void panels_cell_draw(const struct panels *panels, struct svg *svg, const struct panels_cell *cell,
@@ -225,18 +284,7 @@ void panels_cell_draw(const struct panels *panels, struct svg *svg, const struct
     if (any) {
         draw_series(panels, svg, cell, panel);
     }
-    /* Below spots; inside at the top of curves, or in the middle of what is empty. */
-    double y = ticks ? cell->top + 14 : cell->top + cell->height + 14;
-    if (!any) {
-        y = cell->top + cell->height / 2 + 4;
-    }
-    struct svg_label note = {.x = cell->left + cell->width / 2,
-                             .y = y,
-                             .size = NOTE,
-                             .width = cell->room,
-                             .anchor = SVG_MIDDLE,
-                             .colour = SOFT};
-    svg_text(svg, &note, panel->note);
+    panels_cell_draw_note(panels, svg, cell, panel, any);
     struct svg_label title = {.x = cell->left + cell->width / 2,
                               .y = cell->top - 7,
                               .size = WORDS,

@@ -161,6 +161,57 @@ static void test_spots(struct arena *arena)
                "centre of the disc");
 }
 
+/* Spots of two colours that lie on one another take turns, and the last is not always the same. */
+static void test_turns(struct arena *arena)
+{
+    enum { MANY = 480 };
+    double x[MANY], y[MANY];
+    for (size_t i = 0; i < MANY; i++) {
+        x[i] = y[i] = (double)(i % 7);
+    }
+    const struct panel_series both[] = {{x, y, MANY, 0, true}, {x, y, MANY, 1, true}};
+    const struct panel panels[] = {{.series = both, .count = 2}, {.is_absent = true}};
+    static const char *const captions[] = {"a lens: f/2"};
+    const struct panels page = {.unit = "µm",
+                                .row_captions = captions,
+                                .key_count = 2,
+                                .columns = 2,
+                                .panels = panels,
+                                .count = 2};
+    struct svg svg;
+    struct error error;
+    CHECK(draw(&page, arena, &svg, &error));
+    CHECK(occurrences(svg.data, "h0") == 2 * MANY);
+    CHECK(occurrences(svg.data, "<clipPath") == 1); /* nothing is drawn of the absent one */
+    CHECK(strstr(svg.data, ">a lens: f/2</text>") != NULL);
+    const char *at = strstr(svg.data, "clip-path");
+    char last = '\0';
+    int turns = 0;
+    for (at = strstr(at, "stroke=\"#"); at != NULL; at = strstr(at + 1, "stroke=\"#")) {
+        const char colour = at[strlen("stroke=\"#00")];
+        turns += colour != last;
+        last = colour;
+    }
+    CHECK(turns > 10);
+}
+
+/* Two of a hundred far off are left outside, three are not; a few values all count. */
+static void test_bulk(void)
+{
+    static const double reaches[] = {1, 1.3 * 0.99, 1.3, 9};
+    double values[100];
+    for (size_t far = 0; far < 4; far++) {
+        for (size_t i = 0; i < 100; i++) {
+            values[i] = i < far ? 9 : (double)(i + 1) / 100;
+        }
+        const double expected = reaches[far];
+        CHECK_NEAR(panels_bulk(values, 100), expected, 1e-12, "reach of the bulk");
+    }
+    double few[] = {9, 0.5, 1};
+    CHECK_NEAR(panels_bulk(few, 3), 9, 1e-12, "reach of a few");
+    CHECK_NEAR(panels_bulk(few, 0), 0, 1e-12, "reach of none");
+}
+
 /* An axis of its own: numbers of 1 and of 1000 stand under their own panels. */
 static void test_own(struct arena *arena)
 {
@@ -203,6 +254,8 @@ int main(void)
     test_fan(&arena);
     test_scale(&arena);
     test_spots(&arena);
+    test_turns(&arena);
+    test_bulk();
     test_own(&arena);
     test_errors(&arena);
     arena_free(&arena);
