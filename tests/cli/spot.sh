@@ -27,6 +27,10 @@ lenscalc spot double-gauss -w d --field 0,14 --defocus -0.1..0.1#11 --plot curve
 lenscalc spot double-gauss --field 0,95 --csv --digits 3 --columns rms,error
 lenscalc spot double-gauss --field 0 -w d --csv --digits 3 --columns rms,error
 lenscalc spot questar-35 --to 2 --plot feet.svg > /dev/null && grep -o ">[^<]* mm<" feet.svg | sort -u
+# several lenses and positions: a row each, all at one scale
+for question in "double-gauss cooke-triplet-50" "canon-nfd-70-210 --position wide,tele"; do
+    lenscalc spot $question --plot several.svg > /dev/null && grep -o '>[^<>]*</text>' several.svg | sed 's/^>//; s/<.*//'
+done
 # no exponents in labels
 lenscalc spot double-gauss -w d --field 0,14 --defocus 20 --plot wide.svg > /dev/null && grep -o ">RMS [^<]*<" wide.svg
 # without a stop the beam is weighed; on the axis nothing is left of aiming

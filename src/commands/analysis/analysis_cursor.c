@@ -5,6 +5,7 @@
 #include "base/number.h"
 #include "report/row.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 /* -------- several threads -------- */
@@ -328,22 +329,21 @@ void analysis_warn(const struct analysis_cursor *at, struct analysis_point *poin
 
 /* -------- words -------- */
 
-const char *analysis_case_words(const struct analysis_case *one, bool whole, struct arena *arena)
+const char *analysis_case_words(const struct analysis_case *one, struct arena *arena)
 {
     const struct analysis_question *question = one->question;
-    const struct setup *setup = one->setup;
-    const char *words = setup->position;
+    const char *words = one->setup->position;
     const struct {
         bool shown;
         const char *before;
         double value;
         const char *behind;
     } parts[] = {
-        {whole || question->wavelength.name != NULL, "", 1000 * setup->wavelengths[0].wavelength,
+        {question->wavelength.name != NULL, "", 1000 * one->setup->wavelengths[0].wavelength,
          " nm"},
         {!isnan(question->object), "object at ", question->object, " mm"},
         {!isnan(question->fnumber), "f/", question->fnumber, ""},
-        {!isnan(question->defocus) && !whole, "defocus ", question->defocus, " mm"},
+        {!isnan(question->defocus), "defocus ", question->defocus, " mm"},
     };
     for (size_t i = 0; i < sizeof parts / sizeof parts[0]; i++) {
         if (parts[i].shown) {
@@ -352,20 +352,87 @@ const char *analysis_case_words(const struct analysis_case *one, bool whole, str
                                  parts[i].behind);
         }
     }
-    if (!whole) {
-        return words;
+    return words;
+}
+
+const char *analysis_aperture_words(const struct first_order *first, struct arena *arena)
+{
+    if (isfinite(first->fnumber)) {
+        const double working = first->working_fnumber;
+        const bool is_near = fabs(working - first->fnumber) > 0.01 * first->fnumber;
+        return is_near && isfinite(working)
+                   ? arena_printf(arena, "f/%.4g (working f/%.4g)", first->fnumber, working)
+                   : arena_printf(arena, "f/%.4g", first->fnumber);
     }
-    if (isnan(setup->image)) {
-        return arena_printf(arena, "%s; image infinitely far away", words);
+    if (isfinite(first->entrance_diameter)) {
+        return arena_printf(arena, "entrance pupil %.4g mm", fabs(first->entrance_diameter));
     }
-    return arena_printf(arena, "%s; image plane %s, %.6g mm from the last vertex", words,
-                        setup->focus != NULL ? setup->focus : "none", setup->image);
+    /* afocal, and its beam is that of the object alone */
+    const double slope = atan(first->marginal_v / first->index_object);
+    return isnan(slope) ? NULL
+                        : arena_printf(arena, "NA %.4g in object space",
+                                       fabs(first->index_object * sin(slope)));
+}
+
+/* "486.1, 587.6, 656.3 nm", ascending, or where they are many the first and the last. */
+static const char *wavelengths_words(const struct setup *setup, struct arena *arena)
+{
+    enum { MOST = 5 };
+    const size_t count = setup->wavelength_count;
+    double *list = ARENA_ARRAY(arena, count, double);
+    const char *words = "";
+    for (size_t i = 0; i < count; i++) {
+        list[i] = 1000 * setup->wavelengths[i].wavelength;
+    }
+    qsort(list, count, sizeof *list, analysis_ascending);
+    if (count == 1) {
+        return arena_printf(arena, "%.6g nm", list[0]);
+    }
+    if (count > MOST) {
+        return arena_printf(arena, "%zu wavelengths from %.5g to %.5g nm", count, list[0],
+                            list[count - 1]);
+    }
+    for (size_t i = 0; i < count; i++) {
+        words = arena_printf(arena, "%s%s%.*f", words, i > 0 ? ", " : "", list[i] < 1000 ? 1 : 0,
+                             list[i]);
+    }
+    return ARENA_JOIN(arena, words, " nm");
+}
+
+const char *analysis_figure_words(const struct analysis_case *one, unsigned parts,
+                                  struct arena *arena)
+{
+    const struct setup *setup = one->setup;
+    const double defocus = one->question->defocus, object = one->question->object;
+    const char *list[6], *words = "";
+    size_t count = 0;
+    list[count++] = setup->position;
+    list[count++] = parts & FIGURE_APERTURE ? analysis_aperture_words(&setup->first, arena) : NULL;
+    list[count++] = parts & FIGURE_WAVELENGTHS ? wavelengths_words(setup, arena) : NULL;
+    list[count++] = isnan(object) ? NULL : arena_printf(arena, "object at %.6g mm", object);
+    if (parts & FIGURE_PLANE) {
+        const double plane = setup->image - (isnan(defocus) ? 0 : defocus);
+        const char *focus = setup->focus != NULL ? setup->focus : "none";
+        list[count++] =
+            isnan(plane)
+                ? "image at infinity"
+                : arena_printf(arena, "image plane %s, %.6g mm from the last vertex", focus, plane);
+        list[count++] = isnan(defocus) || !(parts & FIGURE_DEFOCUS)
+                            ? NULL
+                            : arena_printf(arena, "defocus %+.4g mm", defocus + 0.0);
+    }
+    for (size_t i = 0; i < count; i++) {
+        if (list[i] != NULL) {
+            words = ARENA_JOIN(arena, words, words[0] != '\0' ? "; " : "", list[i]);
+        }
+    }
+    return words;
 }
 
 const char *analysis_field_words(const struct analysis_case *one, size_t field, struct arena *arena)
 {
     const struct field_point *at = &one->setup->fields[field].point;
-    const char *words = analysis_case_words(one, false, arena);
+    const char *words = analysis_case_words(one, arena);
     const char *place = at->kind == FIELD_NONE ? "axis" : lens_field_words(at, arena);
     return words != NULL ? arena_printf(arena, "%s, %s", place, words) : place;
 }

@@ -113,14 +113,27 @@ struct bundle_question analysis_bundle(const struct analysis_case *one, size_t f
 
 /* -------- words of drawings -------- */
 
+/* What was asked for of a case: "wide, 587.562 nm, f/4, defocus 0.1 mm"; null: nothing. */
+const char *analysis_case_words(const struct analysis_case *one, struct arena *arena);
+
+/* "f/2.8", "f/2.8 (working f/5.6)"; of an afocal lens "entrance pupil 35 mm"; null: not known. */
+const char *analysis_aperture_words(const struct first_order *first, struct arena *arena);
+
+/* What figures state of their case, joined by |. */
+enum figure_part {
+    FIGURE_APERTURE = 1,
+    FIGURE_WAVELENGTHS = 2, /* where no legend shows them */
+    FIGURE_PLANE = 4,
+    FIGURE_DEFOCUS = 8, /* where the figure does not go through focus */
+    FIGURE_ALL = 15
+};
+
 /*
- * What tells a case from others: "wide, 587.562 nm, object at 2000 mm, f/4, defocus 0.1 mm".
- *
- * Given     whole  the wavelength even where nobody asked for one, and in place of a defocus where
- *                  the image plane lies
- * Result    null: nothing was asked for
+ * "wide; f/4; 486.1, 587.6, 656.3 nm; image plane paraxial, 36.11 mm from the last vertex; defocus
+ * +0.1 mm": below the title of a figure.
  */
-const char *analysis_case_words(const struct analysis_case *one, bool whole, struct arena *arena);
+const char *analysis_figure_words(const struct analysis_case *one, unsigned parts,
+                                  struct arena *arena);
 
 /* What a field is called: "14 deg, f/4, defocus 0.1 mm". */
 const char *analysis_field_words(const struct analysis_case *one, size_t field,

@@ -212,9 +212,12 @@ struct fan_figure_painter {
     struct arena *arena;
     struct fan_curve *curves;
     size_t count, room;
-    const char **rows; /* what stands beside them */
-    size_t row_count, row_room;
+    const char **rows;   /* what stands beside them */
+    const char **lenses; /* and whose they are */
+    size_t row_count, row_room, lens_room;
     const char *title, *reference; /* reference: null = no fan arrived */
+    const char *words;             /* what all fans have of their cases; null: nothing */
+    bool differs, several;         /* the words; the lenses */
     bool is_angular;
 };
 
@@ -242,10 +245,11 @@ static const char *figure_label_of(const struct fan_figure_painter *painter,
 }
 
 /* The row of a field: that of another wavelength of it, or a new one. */
-static size_t fan_row_of(struct fan_figure_painter *painter, const char *label, double wavelength)
+static size_t fan_row_of(struct fan_figure_painter *painter, const char *lens, const char *label,
+                         double wavelength)
 {
     for (size_t i = painter->row_count; i-- > 0;) {
-        bool taken = strcmp(painter->rows[i], label) != 0;
+        bool taken = strcmp(painter->rows[i], label) != 0 || strcmp(painter->lenses[i], lens) != 0;
         for (size_t k = 0; k < painter->count && !taken; k++) {
             const struct fan_curve *curve = &painter->curves[k];
             taken = curve->row == i && !(fabs(curve->wavelength - wavelength) > 0);
@@ -256,6 +260,10 @@ static size_t fan_row_of(struct fan_figure_painter *painter, const char *label, 
     }
     painter->rows = arena_grow(painter->arena, painter->rows, painter->row_count,
                                &painter->row_room, sizeof *painter->rows);
+    painter->lenses = arena_grow(painter->arena, painter->lenses, painter->row_count,
+                                 &painter->lens_room, sizeof *painter->lenses);
+    painter->lenses[painter->row_count] = lens;
+    painter->several = painter->several || strcmp(painter->lenses[0], lens) != 0;
     painter->rows[painter->row_count] = label;
     return painter->row_count++;
 }
@@ -270,7 +278,7 @@ static void fan_figure_add(struct fan_figure_painter *painter, const struct anal
         painter->title = setup->lens->title;
     }
     if (at->lost != NULL) {
-        fan_row_of(painter, label, NAN);
+        fan_row_of(painter, setup->lens->title, label, NAN);
         return;
     }
     const char *reference =
@@ -278,14 +286,20 @@ static void fan_figure_add(struct fan_figure_painter *painter, const struct anal
     bool differs = painter->reference != NULL && strcmp(painter->reference, reference) != 0;
     painter->reference = differs ? "the chief ray of each wavelength" : reference;
     painter->is_angular = fan->is_angular;
+    const char *words =
+        analysis_figure_words(at->one, FIGURE_APERTURE | FIGURE_PLANE, painter->arena);
+    painter->differs =
+        painter->differs || (painter->words != NULL && strcmp(painter->words, words) != 0);
+    painter->words = words;
     for (size_t g = 0; g < setup->wavelength_count; g++) {
         struct arena *arena = painter->arena;
-        struct fan_curve curve = {label,
-                                  setup->wavelengths[g].wavelength,
-                                  fan_row_of(painter, label, setup->wavelengths[g].wavelength),
-                                  {0},
-                                  {0},
-                                  {0}};
+        struct fan_curve curve = {
+            label,
+            setup->wavelengths[g].wavelength,
+            fan_row_of(painter, setup->lens->title, label, setup->wavelengths[g].wavelength),
+            {0},
+            {0},
+            {0}};
         const size_t room = fan->points + FAN_ENDS;
         struct fan_ray *rays = ARENA_ARRAY(arena, room, struct fan_ray);
         for (size_t s = 0; s < FAN_SECTIONS; s++) {
@@ -333,7 +347,7 @@ static size_t find_keys(const struct fan_figure_painter *painter, double *keys)
     return count;
 }
 
-/* Panels two a row, with the greatest value in `most`. */
+/* Panels two a row, with what the axes have to reach in `most`. */
 static struct panel *make_panels(const struct fan_figure_painter *painter, const double *keys,
                                  size_t key_count, double *most)
 {
@@ -341,8 +355,11 @@ static struct panel *make_panels(const struct fan_figure_painter *painter, const
     struct panel *panels = ARENA_ARRAY(arena, FAN_SECTIONS * painter->row_count + 1, struct panel);
     for (size_t i = 0; i < FAN_SECTIONS * painter->row_count; i++) {
         struct panel_series *series = ARENA_ARRAY(arena, painter->count + 1, struct panel_series);
-        size_t count = 0, section = i % FAN_SECTIONS;
-        bool any = false;
+        size_t count = 0, section = i % FAN_SECTIONS, sizes = 0, room = 1;
+        for (size_t k = 0; k < painter->count; k++) {
+            room += painter->curves[k].counts[section];
+        }
+        double *size = ARENA_ARRAY(arena, room, double);
         for (size_t k = 0; k < painter->count; k++) {
             const struct fan_curve *curve = &painter->curves[k];
             if (curve->row != i / FAN_SECTIONS) {
@@ -357,13 +374,13 @@ static struct panel *make_panels(const struct fan_figure_painter *painter, const
                                                     .count = curve->counts[section],
                                                     .key = key};
             for (size_t j = 0; j < curve->counts[section]; j++) {
-                const double y = fabs(curve->y[section][j]);
-                any = any || isfinite(y);
-                *most = isfinite(y) ? fmax(*most, y) : *most;
+                size[sizes] = fabs(curve->y[section][j]);
+                sizes += isfinite(size[sizes]) ? 1 : 0;
             }
         }
-        panels[i] =
-            (struct panel){.series = series, .count = count, .note = any ? NULL : "no ray arrives"};
+        *most = fmax(*most, panels_bulk(size, sizes));
+        panels[i] = (struct panel){
+            .series = series, .count = count, .note = sizes > 0 ? NULL : "no ray arrives"};
     }
     return panels;
 }
@@ -399,16 +416,18 @@ static bool fan_figure(const struct artifact_job *job, struct output *sink, stru
     }
     const struct fan_input *first = painter.job->inputs[0];
     bool opd = first->show == FAN_OPD;
+    const char *what = opd ? "Optical path differences" : "Ray fans";
     const struct panel *list = make_panels(&painter, keys, key_count, &most);
     const char *transverse =
         painter.is_angular ? "transverse aberration (mrad)" : "transverse aberration (µm)";
     const char *preposition = opd ? "against" : "from";
-    const char *subtitle = painter.reference != NULL
-                               ? arena_printf(arena, "%s %s", preposition, painter.reference)
-                               : NULL;
+    const char *subtitle = NULL;
+    if (painter.reference != NULL) {
+        subtitle = arena_printf(arena, "%s %s%s%s", preposition, painter.reference,
+                                painter.differs ? "" : "; ", painter.differs ? "" : painter.words);
+    }
     const struct panels panels = {
-        .title = arena_printf(arena, "%s of %s", opd ? "Optical path differences" : "Ray fans",
-                              painter.title),
+        .title = painter.several ? what : ARENA_JOIN(arena, what, " of ", painter.title),
         .subtitle = subtitle,
         .x_label = first->question.aim == ANALYSIS_AIM_ENTRANCE
                        ? "across the entrance pupil, in its radius"
@@ -416,6 +435,7 @@ static bool fan_figure(const struct artifact_job *job, struct output *sink, stru
         .y_label = opd ? "optical path difference (waves)" : transverse,
         .column_heads = heads,
         .row_heads = painter.rows,
+        .row_captions = painter.several ? painter.lenses : NULL,
         .keys = words,
         .key_count = key_count,
         .light = true,

@@ -130,7 +130,8 @@ static void field_add_field(struct field_painter *painter, const struct analysis
 {
     struct arena *arena = painter->run->arena;
     const struct field_point *point = &one->setup->fields[field].point;
-    const char *words = analysis_case_words(one, true, arena);
+    const char *words =
+        analysis_figure_words(one, FIGURE_WAVELENGTHS | FIGURE_PLANE | FIGURE_DEFOCUS, arena);
     struct field_curves *curves = NULL;
     for (size_t i = 0; i < painter->count; i++) {
         bool same = strcmp(painter->curves[i].words, words) == 0 &&
@@ -143,7 +144,7 @@ static void field_add_field(struct field_painter *painter, const struct analysis
                                      sizeof *painter->curves);
         curves = &painter->curves[painter->count++];
         *curves = (struct field_curves){.words = words,
-                                        .name = analysis_case_words(one, false, arena),
+                                        .name = analysis_case_words(one, arena),
                                         .setup = one->setup,
                                         .edge = *point};
     }

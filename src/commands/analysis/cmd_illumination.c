@@ -281,7 +281,7 @@ static bool illumination_makes_many(const void *data)
 
 /* One lens in one case, and how far its image is looked at. */
 struct illumination_curve {
-    const char *words, *name; /* analysis_case_words, whole and not */
+    const char *words, *name; /* of figures; of what was asked for */
     const char *title;        /* of the lens */
     const struct analysis_case *one;
     struct relative_illumination falloff;
@@ -313,7 +313,7 @@ static bool illumination_add_point(struct illumination_painter *painter,
 {
     struct arena *arena = painter->arena;
     const struct illumination_input *input = painter->input;
-    const char *words = with_stop(input, analysis_case_words(one, true, arena), arena);
+    const char *words = with_stop(input, analysis_figure_words(one, FIGURE_ALL, arena), arena);
     struct illumination_curve *curve = NULL;
     for (size_t i = 0; i < painter->count; i++) {
         struct illumination_curve *old = &painter->curves[i];
@@ -328,7 +328,7 @@ static bool illumination_add_point(struct illumination_painter *painter,
         curve = &painter->curves[painter->count];
         *curve = (struct illumination_curve){
             .words = words,
-            .name = with_stop(input, analysis_case_words(one, false, arena), arena),
+            .name = with_stop(input, analysis_case_words(one, arena), arena),
             .title = one->setup->lens->title,
             .one = one};
         if (!open_falloff(one, input, NULL, &curve->falloff, error)) {

@@ -244,14 +244,7 @@ static bool psf_maps(const struct artifact_job *job, struct output *sink, struct
                 .size = psf->size,
                 .values = psf->values,
                 .half = 1000 * psf->pitch * (double)psf->size / 2};
-            const char *light = one->spectrum;
-            if (light == NULL) {
-                light =
-                    arena_printf(arena, "%.6g nm", 1000 * one->setup->wavelengths[0].wavelength);
-            }
-            const char *subtitle =
-                psf->is_angular ? ARENA_JOIN(arena, "angles of an afocal image; ", light)
-                                : ARENA_JOIN(arena, "focus ", one->setup->focus, "; ", light);
+            const char *subtitle = analysis_figure_words(one, FIGURE_ALL, arena);
             if (!map_page_add(&page, one, &map, subtitle, error)) {
                 return false;
             }

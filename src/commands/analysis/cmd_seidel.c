@@ -359,26 +359,17 @@ static const char *seidel_view_subtitle_of(const struct seidel_case *one, struct
     } else if (one->field.kind == FIELD_HEIGHT) {
         field = arena_printf(arena, "object height %.5g mm", value);
     }
-    const char *aperture;
-    if (isfinite(first->fnumber)) {
-        aperture = arena_printf(arena, "f/%.4g", first->fnumber);
-    } else if (isfinite(first->stop_radius)) {
-        aperture = arena_printf(arena, "stop radius %.4g mm", first->stop_radius);
-    } else { /* afocal, and its beam is that of the object alone */
-        const double slope = atan(first->marginal_v / first->index_object);
-        aperture =
-            arena_printf(arena, "NA %.4g in object space", fabs(first->index_object * sin(slope)));
-    }
+    const char *aperture = analysis_aperture_words(first, arena);
     const char *colours = isnan(one->blue)
                               ? ""
                               : arena_printf(arena, ", colour %.5g to %.5g nm",
                                              THOUSAND * one->blue, THOUSAND * one->red);
     const char *from =
         setup->fields_from == NULL ? "" : arena_printf(arena, " (%s)", setup->fields_from);
-    return arena_printf(arena, "%s%s%s, %s%s, at %.5g nm%s",
-                        setup->position != NULL ? setup->position : "",
-                        setup->position != NULL ? ", " : "", aperture, field, from,
-                        THOUSAND * one->light.wavelength, colours);
+    return arena_printf(
+        arena, "%s%s%s, %s%s, at %.5g nm%s", setup->position != NULL ? setup->position : "",
+        setup->position != NULL ? ", " : "", aperture != NULL ? aperture : "no aperture", field,
+        from, THOUSAND * one->light.wavelength, colours);
 }
 
 static bool seidel_view_check(const struct artifact_job *job, struct error *error)

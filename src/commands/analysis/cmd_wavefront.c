@@ -304,7 +304,7 @@ static bool wavefront_maps(const struct artifact_job *job, struct output *sink, 
                                            .half = 1};
             const char *reference =
                 wave_reference_words(at.one, (enum wave_about)input->reference, arena);
-            const char *words = analysis_case_words(at.one, true, arena);
+            const char *words = analysis_figure_words(at.one, FIGURE_ALL, arena);
             if (!map_page_add(&page, at.one, &map,
                               ARENA_JOIN(arena, "against ", reference, "; ", words), error)) {
                 return false;

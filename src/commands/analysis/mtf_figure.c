@@ -246,7 +246,9 @@ static bool figure_add(struct figure_painter *painter, const struct analysis_cur
                                  .lens = one->setup->lens->title,
                                  .is_between = painter->is_between};
     const char *method = painter->input->method == MTF_BY_RAYS ? "geometric" : "diffraction";
-    painter->subtitle = arena_printf(arena, "%s; focus %s", method, one->setup->focus);
+    const unsigned parts =
+        FIGURE_ALL & ~(painter->axis == BY_FOCUS ? (unsigned)FIGURE_DEFOCUS : 0u);
+    painter->subtitle = ARENA_JOIN(arena, method, "; ", analysis_figure_words(one, parts, arena));
     painter->is_angle = !isnan(point.field);
     if (painter->axis == BY_FREQUENCY) {
         return figure_add_curve(painter, source, &place, error);
