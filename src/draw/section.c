@@ -1,4 +1,4 @@
-/* draw/section.c - cross-section of a lens on a page, in SVG. */
+/* draw/section.c - cross-sections of a lens on a page, in SVG. */
 /* SPDX-License-Identifier: MIT */
 #include "draw/section.h"
 
@@ -8,47 +8,23 @@
 #include "draw/ticks.h"
 
 #include <math.h>
+#include <string.h>
 
 #define MARGIN     44.0
-#define TOP        74.0  /* title and subtitle */
+#define TOP        66.0  /* title and subtitle */
 #define MOST_HIGH  540.0 /* of the lens, px */
+#define MOST_SHEET 900.0 /* of several of them together */
 #define LEAST_HIGH 150.0
-#define SMALL      12.0 /* size of labels */
 #define LINE       18.0 /* of the legend */
 
-/* Millimetres to px: x = x0 + scale z, y = y0 - scale y. */
-struct section_page {
-    struct svg *svg;
-    const struct section *section;
-    double x0, y0, scale;
-    double bottom, height; /* of the lens; of the page */
-    struct svg_box *taken; /* by labels */
-    size_t taken_count;
-};
-
-static const struct svg_style styles[LAYOUT_KINDS] = {
-    [LAYOUT_ELEMENT] = {.stroke = "#26323d", .width = 1.1},
-    [LAYOUT_AXIS] = {.stroke = "#777777", .width = 0.8, .dash = "14 4 2 4"},
-    [LAYOUT_AXIAL] = {.stroke = "#c0392b", .width = 1},
-    [LAYOUT_OBLIQUE] = {.stroke = "#1f5fa8", .width = 0.9},
-    [LAYOUT_CHIEF] = {.stroke = "#1f5fa8", .width = 1.5},
-    [LAYOUT_GAUSS] = {.stroke = "#c0392b", .width = 1.2},
-    [LAYOUT_EXTENDED] = {.stroke = "#c0392b", .width = 0.9, .dash = "4 4"},
-    [LAYOUT_ARROW] = {.stroke = "#000000", .width = 2},
-    [LAYOUT_HATCH] = {.stroke = "#555555", .width = 0.8},
-    [LAYOUT_MIRROR] = {.stroke = "#000000", .width = 2.6},
-    [LAYOUT_BLOCK] = {.stroke = "#000000", .width = 3.4},
-    [LAYOUT_STOP] = {.stroke = "#000000", .width = 2.4},
-    [LAYOUT_IMAGE] = {.stroke = "#000000", .width = 1.6},
-    [LAYOUT_PLANE] = {.stroke = "#1b7a3d", .width = 1.1, .dash = "6 3"},
-    [LAYOUT_PUPIL] = {.stroke = "#8e44ad", .width = 1.8},
-    [LAYOUT_POINT] = {.fill = "#1b7a3d"},
-};
+/* Of the fields, beside the red of the axis. */
+static const char *const field_colours[] = {"#1f5fa8", "#c77700", "#00836b",
+                                            "#a8478f", "#3f98d1", "#5a5a5a"};
+enum { FIELD_COLOURS = sizeof field_colours / sizeof field_colours[0] };
 
 static const char *const names[LAYOUT_KINDS] = {
-    [LAYOUT_AXIAL] = "rays from the axis",
-    [LAYOUT_OBLIQUE] = "rays of the field's edge",
-    [LAYOUT_CHIEF] = "chief ray",
+    [LAYOUT_AXIAL] = "axis",
+    [LAYOUT_CHIEF] = "chief rays",
     [LAYOUT_GAUSS] = "rays of the equivalent lens",
     [LAYOUT_EXTENDED] = "extended backwards",
     [LAYOUT_BLOCK] = "blocked",
@@ -64,113 +40,141 @@ static const char *const tints[] = {
 };
 enum { TINTS = sizeof tints / sizeof tints[0] };
 
-/* The box of all parts, mm. */
+/* -------- where the views stand -------- */
+
+/* The box of all parts, mm; z from where all views have the same place. */
 struct extent {
     double left, right, low, high;
 };
 
-static struct extent section_measure(const struct section *section)
+/* One view on the page. */
+struct placed_view {
+    struct extent box;
+    double origin;      /* z of what stands under each other, mm */
+    double top, bottom; /* of its parts, px */
+};
+
+/* The image planes, where all have one. */
+static bool section_has_images(const struct section *section)
 {
-    struct extent box = {INFINITY, -INFINITY, INFINITY, -INFINITY};
-    for (size_t i = 0; i < section->layout->part_count; i++) {
-        const struct layout_part *part = &section->layout->parts[i];
+    for (size_t i = 0; i < section->view_count; i++) {
+        if (!isfinite(section->views[i].layout->image)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static struct placed_view section_measure(const struct layout *layout, double origin)
+{
+    struct placed_view view = {.box = {INFINITY, -INFINITY, INFINITY, -INFINITY}, .origin = origin};
+    for (size_t i = 0; i < layout->part_count; i++) {
+        const struct layout_part *part = &layout->parts[i];
         for (size_t k = 0; k < part->count; k++) {
-            box.left = fmin(box.left, part->z[k]);
-            box.right = fmax(box.right, part->z[k]);
-            box.low = fmin(box.low, part->y[k]);
-            box.high = fmax(box.high, part->y[k]);
+            view.box.left = fmin(view.box.left, part->z[k] - origin);
+            view.box.right = fmax(view.box.right, part->z[k] - origin);
+            view.box.low = fmin(view.box.low, part->y[k]);
+            view.box.high = fmax(view.box.high, part->y[k]);
         }
     }
-    return box;
+    return view;
 }
 
-static void section_write_text(const struct section_page *page, double x, double y,
-                               enum svg_anchor anchor, const char *colour, const char *text)
+/* Room for rows of labels above and below the lens, px. */
+static double label_room(const struct layout *layout, bool below)
 {
-    svg_text(page->svg,
-             &(struct svg_label){.x = x,
-                                 .y = y,
-                                 .size = SMALL,
-                                 .anchor = anchor,
-                                 .colour = colour,
-                                 .width = anchor == SVG_START ? SECTION_WIDTH - 16 - x : 0},
-             text);
+    size_t count = 0;
+    for (size_t i = 0; i < layout->part_count; i++) {
+        enum layout_kind kind = layout->parts[i].kind;
+        bool under = kind == LAYOUT_POINT || kind == LAYOUT_PUPIL;
+        count += layout->parts[i].label != NULL && under == below;
+    }
+    return 20 + 13 * fmin((double)count, 4);
 }
 
-/* The end of what lies under or over a label of this width: the element's rim, or `end` (px). */
-static double clear_of_glass(const struct section_page *page, double x, double width, double end,
-                             double up)
+/* How low the glass reaches, mm. */
+static double section_glass_low(const struct layout *layout)
 {
-    for (size_t i = 0; i < page->section->layout->part_count; i++) {
-        const struct layout_part *part = &page->section->layout->parts[i];
+    double low = INFINITY;
+    for (size_t i = 0; i < layout->part_count; i++) {
+        const struct layout_part *part = &layout->parts[i];
         for (size_t k = 0; part->kind == LAYOUT_ELEMENT && k < part->count; k++) {
-            double at = page->x0 + page->scale * part->z[k];
-            double y = page->y0 - page->scale * part->y[k];
-            if (fabs(at - x) < width / 2 + 3 && (y - end) * up < 0) {
-                end = y;
-            }
+            low = fmin(low, part->y[k]);
         }
     }
-    return end;
+    return low;
 }
 
-/* Labels from left to right, so that each sees what is taken. */
-static void write_labels(struct section_page *page)
+/*
+ * Scale and places of all views.
+ *
+ * Result    where the last one ends, px
+ */
+static double section_place(struct section_page *page, struct placed_view *views,
+                            struct error *error)
 {
     const struct section *section = page->section;
-    double from = -INFINITY;
-    size_t index = 0;
-    for (;;) {
-        const struct layout_part *next = NULL;
-        size_t place = 0;
-        for (size_t i = 0; i < section->layout->part_count; i++) {
-            const struct layout_part *part = &section->layout->parts[i];
-            bool later =
-                part->label != NULL && (part->z[0] > from || (!(part->z[0] < from) && i > index));
-            if (later && (next == NULL || part->z[0] < next->z[0])) {
-                next = part;
-                place = i;
-            }
-        }
-        if (next == NULL) {
-            return;
-        }
-        /* Above or below its part, outwards until it touches no other label. */
-        bool point = next->kind == LAYOUT_POINT, below = next->kind == LAYOUT_PUPIL || point;
-        double width = svg_text_width(next->label, SMALL), x = page->x0 + page->scale * next->z[0];
-        double up = below ? -1 : 1, end = next->y[next->count - 1];
-        double y = page->y0 - page->scale * end;
-        x += point ? 5 + width / 2 : 0;
-        x = fmax(8 + width / 2, fmin(SECTION_WIDTH - 8 - width / 2, x));
-        y = (point ? y : clear_of_glass(page, x, width, y, up)) + (below ? 15 : -6);
-        struct svg_box box = {x - width / 2 - 2, y - 10, x + width / 2 + 2, y + 2};
-        while (!svg_is_free(page->taken, page->taken_count, &box)) {
-            y -= 13 * up;
-            box.top = y - 10;
-            box.bottom = y + 2;
-        }
-        page->taken[page->taken_count++] = box;
-        const struct svg_style *style = &styles[next->kind];
-        section_write_text(page, x, y, SVG_MIDDLE,
-                           style->stroke != NULL ? style->stroke : style->fill, next->label);
-        from = next->z[0];
-        index = place;
+    const bool by_images = section->view_count > 1 && section_has_images(section);
+    struct extent all = {INFINITY, -INFINITY, 0, 0};
+    for (size_t i = 0; i < section->view_count; i++) {
+        const struct layout *layout = section->views[i].layout;
+        views[i] = section_measure(layout, by_images ? layout->image : 0);
+        all.left = fmin(all.left, views[i].box.left);
+        all.right = fmax(all.right, views[i].box.right);
+        all.high += views[i].box.high - views[i].box.low;
     }
+    double across = all.right - all.left;
+    if (!(across > 0 && all.high > 0)) {
+        return fail(error, ERROR_DOMAIN, "nothing to draw: the lens has no extent");
+    }
+    if (!(across < 1e12 && all.high < 1e12)) {
+        return fail(error, ERROR_DOMAIN, "the lens is too large to be drawn");
+    }
+    page->scale = fmin((SECTION_WIDTH - 2 * MARGIN) / across,
+                       (section->view_count > 1 ? MOST_SHEET : MOST_HIGH) / all.high);
+    page->x0 = (SECTION_WIDTH - page->scale * (all.left + all.right)) / 2;
+    double y = TOP;
+    for (size_t i = 0; i < section->view_count; i++) {
+        const struct layout *layout = section->views[i].layout;
+        const struct extent *box = &views[i].box;
+        double high = page->scale * (box->high - box->low);
+        double least = section->view_count > 1 ? high : fmax(LEAST_HIGH, high);
+        views[i].top = y + label_room(layout, false) + (section->view_count > 1 ? LINE : 0) +
+                       (least - high) / 2;
+        views[i].bottom = views[i].top + high;
+        double below = (least - high) / 2 + label_room(layout, true);
+        double glass = page->scale * (box->low - section_glass_low(layout));
+        double elements = i == 0 && section_element_room(layout) > 0
+                              ? section_element_room(layout) + fmin(glass, 0) + 8
+                              : 0;
+        y = views[i].bottom + fmax(below, elements);
+    }
+    return y;
+}
+
+/* -------- parts -------- */
+
+static struct svg_style part_style(const struct section_page *page, const struct layout_part *part)
+{
+    struct svg_style style = *section_style(part->kind);
+    if (part->kind == LAYOUT_ELEMENT) {
+        style.fill = tints[part->glass % TINTS];
+        style.opacity = page->section->faint ? 0.45 : 0;
+    } else if (part->kind == LAYOUT_OBLIQUE || part->kind == LAYOUT_CHIEF) {
+        style.stroke = field_colours[part->field % FIELD_COLOURS];
+    }
+    return style;
 }
 
 static void draw_part(const struct section_page *page, const struct layout_part *part)
 {
     struct svg *svg = page->svg;
-    struct svg_style style = styles[part->kind];
+    const struct svg_style style = part_style(page, part);
     double *x = ARENA_ARRAY(svg->arena, part->count, double);
     double *y = ARENA_ARRAY(svg->arena, part->count, double);
     for (size_t i = 0; i < part->count; i++) {
         x[i] = page->x0 + page->scale * part->z[i];
         y[i] = page->y0 - page->scale * part->y[i];
-    }
-    if (part->kind == LAYOUT_ELEMENT) {
-        style.fill = tints[part->glass % TINTS];
-        style.opacity = page->section->faint ? 0.45 : 0;
     }
     if (part->kind == LAYOUT_ELEMENT) {
         svg_styled_polygon(svg, &style, x, y, part->count);
@@ -181,7 +185,7 @@ static void draw_part(const struct section_page *page, const struct layout_part 
     }
     if (part->kind == LAYOUT_ARROW) {
         size_t last = part->count - 1;
-        const struct svg_style filled = {.fill = styles[LAYOUT_ARROW].stroke};
+        const struct svg_style filled = {.fill = section_style(LAYOUT_ARROW)->stroke};
         double down = y[last] > y[0] ? -9 : 9;
         const double tip_x[] = {x[last], x[last] - 4.5, x[last] + 4.5};
         const double tip_y[] = {y[last], y[last] + down, y[last] + down};
@@ -189,120 +193,206 @@ static void draw_part(const struct section_page *page, const struct layout_part 
     }
 }
 
-static bool occurs(const struct section *section, enum layout_kind kind)
+static bool occurs(const struct layout *layout, enum layout_kind kind)
 {
-    for (size_t i = 0; i < section->layout->part_count; i++) {
-        if (section->layout->parts[i].kind == kind) {
+    for (size_t i = 0; i < layout->part_count; i++) {
+        if (layout->parts[i].kind == kind) {
             return true;
         }
     }
     return false;
 }
 
-/* The legend from y down; returns where it ends. With `draw` false it is only measured. */
-static double section_draw_legend(const struct section_page *page, double y, bool draw)
+/* -------- the legend -------- */
+
+/* Where the next entry of a legend stands. */
+struct legend_pen {
+    double left, x, y;
+    bool draw; /* false: it is only measured */
+};
+
+static void legend_entry(const struct section_page *page, struct legend_pen *pen,
+                         const struct svg_style *style, const char *name)
+{
+    double width = 28 + svg_text_width(name, SECTION_SMALL) + 14;
+    /* Go on behind a text of the legend, or in the next line. */
+    if (pen->x > pen->left && pen->x + width > SECTION_WIDTH - MARGIN) {
+        pen->x = pen->left;
+        pen->y += LINE;
+    }
+    if (pen->draw) {
+        svg_styled_line(page->svg, style, pen->x, pen->y - 4, pen->x + 22, pen->y - 4);
+        section_write_text(page, pen->x + 28, pen->y, SVG_START, NULL, name);
+    }
+    pen->x += width;
+}
+
+/* The rays of a view by their fields. */
+static void legend_fields(const struct section_page *page, struct legend_pen *pen)
+{
+    const struct layout *layout = page->layout;
+    if (occurs(layout, LAYOUT_AXIAL)) {
+        legend_entry(page, pen, section_style(LAYOUT_AXIAL), names[LAYOUT_AXIAL]);
+    }
+    for (size_t i = 0; i < layout->field_count; i++) {
+        struct svg_style style = *section_style(LAYOUT_OBLIQUE);
+        style.stroke = field_colours[i % FIELD_COLOURS];
+        legend_entry(page, pen, &style, layout->fields[i]);
+    }
+}
+
+static bool is_noted_before(const struct section *section, size_t view, const char *note)
+{
+    for (size_t i = 0; i < view; i++) {
+        for (size_t k = 0; k < section->views[i].layout->note_count; k++) {
+            if (strcmp(section->views[i].layout->notes[k], note) == 0) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+/* The legend from y down; returns where it ends. */
+static double section_draw_legend(struct section_page *page, double y, bool draw)
 {
     const struct section *section = page->section;
-    double x = MARGIN;
-    for (size_t i = 0; i < section->layout->glass_count + LAYOUT_KINDS; i++) {
-        bool glass = i < section->layout->glass_count;
-        size_t kind = glass ? LAYOUT_ELEMENT : i - section->layout->glass_count;
-        const char *name = glass ? section->layout->glasses[i] : names[kind];
-        if (i == section->layout->glass_count && x > MARGIN) {
-            x = MARGIN;
-            y += LINE;
-        }
-        if (name == NULL || (!glass && !occurs(section, (enum layout_kind)kind))) {
-            continue;
-        }
-        double width = 28 + svg_text_width(name, SMALL) + 14;
-        /* Go on behind a text of the legend, or in the next line. */
-        if (x > MARGIN && x + width > SECTION_WIDTH - MARGIN) {
-            x = MARGIN;
-            y += LINE;
-        }
-        if (draw) {
-            struct svg_style style = styles[kind];
-            style.fill = glass ? tints[i % TINTS] : NULL;
-            if (glass) {
-                svg_styled_rect(page->svg, &style, x, y - 10, 20, 11);
-            } else {
-                svg_styled_line(page->svg, &style, x, y - 4, x + 22, y - 4);
-            }
-            section_write_text(page, x + 28, y, SVG_START, NULL, name);
-        }
-        x += width;
+    struct legend_pen pen = {MARGIN, MARGIN, y, draw};
+    page->layout = section->views[0].layout;
+    if (section->view_count == 1) {
+        legend_fields(page, &pen);
     }
-    y += x > MARGIN ? LINE : 0;
-    for (size_t i = 0; i < section->layout->note_count; i++, y += LINE) {
-        if (draw) {
-            section_write_text(page, MARGIN, y, SVG_START, "#444444", section->layout->notes[i]);
+    for (size_t kind = 0; kind < LAYOUT_KINDS; kind++) {
+        if (names[kind] != NULL && kind != LAYOUT_AXIAL &&
+            occurs(page->layout, (enum layout_kind)kind)) {
+            legend_entry(page, &pen, section_style((enum layout_kind)kind), names[kind]);
+        }
+    }
+    y = pen.y + (pen.x > MARGIN ? LINE : 0);
+    for (size_t i = 0; i < section->view_count; i++) {
+        const struct section_view *view = &section->views[i];
+        for (size_t k = 0; k < view->layout->note_count; k++) {
+            const char *note = view->layout->notes[k];
+            if (is_noted_before(section, i, note)) {
+                continue;
+            }
+            if (draw) {
+                section_write_text(page, MARGIN, y, SVG_START, "#444444",
+                                   section->view_count > 1
+                                       ? arena_printf(page->svg->arena, "%s: %s", view->name, note)
+                                       : note);
+            }
+            y += LINE;
         }
     }
     return y;
 }
 
-/* Room for rows of labels above and below the lens, px. */
-static double label_room(const struct section *section, bool below)
+/* The table of elements from y down: columns as wide as what is in them; returns where it ends. */
+static double section_draw_list(const struct section_page *page, double y)
 {
-    size_t count = 0;
-    for (size_t i = 0; i < section->layout->part_count; i++) {
-        enum layout_kind kind = section->layout->parts[i].kind;
-        bool under = kind == LAYOUT_POINT || kind == LAYOUT_PUPIL;
-        count += section->layout->parts[i].label != NULL && under == below;
+    const struct section_table *list = &page->section->list;
+    const struct svg_style rule = {.stroke = "#888888", .width = 0.8};
+    double x = MARGIN, gap = 18;
+    for (size_t k = 0; k < list->columns; k++) {
+        double width = svg_text_width(list->heads[k], SECTION_SMALL);
+        for (size_t i = 0; i < list->rows; i++) {
+            const char *cell = list->cells[i * list->columns + k];
+            width = fmax(width, cell != NULL ? svg_text_width(cell, SECTION_SMALL) : 0);
+        }
+        section_write_text(page, x + width, y + 14, SVG_END, "#444444", list->heads[k]);
+        for (size_t i = 0; i < list->rows; i++) {
+            section_write_text(page, x + width, y + 36 + LINE * (double)i, SVG_END, NULL,
+                               list->cells[i * list->columns + k]);
+        }
+        x += width + gap;
     }
-    return 20 + 13 * fmin((double)count, 4);
+    if (list->rows > 0) {
+        double end = fmin(x - gap, SECTION_WIDTH - MARGIN);
+        svg_styled_line(page->svg, &rule, MARGIN, y + 20, end, y + 20);
+        y += 36 + LINE * (double)list->rows;
+    }
+    return y;
+}
+
+/* -------- the page -------- */
+
+static void section_draw_titles(const struct section *section, struct svg *svg)
+{
+    struct svg_label label = {.x = SECTION_WIDTH / 2,
+                              .y = 30,
+                              .size = 18,
+                              .anchor = SVG_MIDDLE,
+                              .width = SECTION_WIDTH - 40,
+                              .bold = true};
+    svg_text(svg, &label, section->title);
+    label.y = 52;
+    label.size = 13;
+    label.bold = false;
+    label.colour = "#444444";
+    svg_text(svg, &label, section->subtitle);
+}
+
+static void section_draw_view(struct section_page *page, const struct placed_view *placed,
+                              size_t view)
+{
+    const struct section *section = page->section;
+    const struct layout *layout = section->views[view].layout;
+    const double x0 = page->x0;
+    page->layout = layout;
+    page->x0 -= page->scale * placed->origin;
+    page->y0 = placed->top + page->scale * placed->box.high;
+    page->taken =
+        ARENA_ARRAY(page->svg->arena, layout->part_count + layout->element_count, struct svg_box);
+    page->taken_count = 0;
+    for (int kind = 0; kind < LAYOUT_KINDS; kind++) {
+        for (size_t i = 0; i < layout->part_count; i++) {
+            if ((int)layout->parts[i].kind == kind) {
+                draw_part(page, &layout->parts[i]);
+            }
+        }
+    }
+    if (view == 0) {
+        section_write_elements(page);
+    }
+    section_write_labels(page);
+    if (section->view_count > 1) {
+        const double y = placed->top - label_room(layout, false) - 2;
+        const struct svg_label name = {.x = MARGIN, .y = y, .size = 13, .bold = true};
+        svg_text(page->svg, &name, section->views[view].name);
+        double x = MARGIN + svg_text_width(section->views[view].name, 13) * 1.1 + 14;
+        section_write_text(page, x, y, SVG_START, "#444444", section->views[view].caption);
+        x += svg_text_width(section->views[view].caption, SECTION_SMALL) + 22;
+        struct legend_pen pen = {x, x, y, true};
+        legend_fields(page, &pen);
+    }
+    page->x0 = x0;
 }
 
 bool section_draw(const struct section *section, struct svg *svg, struct error *error)
 {
     struct section_page page = {.svg = svg, .section = section};
-    const struct extent box = section_measure(section);
-    double across = box.right - box.left, high = box.high - box.low;
-    if (!(across > 0 && high > 0)) {
-        return fail(error, ERROR_DOMAIN, "nothing to draw: the lens has no extent");
+    struct placed_view *views = ARENA_ARRAY(svg->arena, section->view_count, struct placed_view);
+    double bottom = section_place(&page, views, error);
+    if (!(bottom > 0)) {
+        return false;
     }
-    if (!(across < 1e12 && high < 1e12)) {
-        return fail(error, ERROR_DOMAIN, "the lens is too large to be drawn");
+    double height = section_draw_legend(&page, bottom + 46, false) + 8;
+    double list = section->list.rows > 0 ? 40 + LINE * (double)section->list.rows : 0;
+    svg_begin(svg, SECTION_WIDTH, height + list, section->title);
+    section_draw_titles(section, svg);
+    for (size_t i = 0; i < section->view_count; i++) {
+        section_draw_view(&page, &views[i], i);
     }
-    page.scale = fmin((SECTION_WIDTH - 2 * MARGIN) / across, MOST_HIGH / high);
-    double above = TOP + label_room(section, false), room = fmax(LEAST_HIGH, page.scale * high);
-    page.x0 = (SECTION_WIDTH - page.scale * (box.left + box.right)) / 2;
-    page.y0 = above + room / 2 + page.scale * (box.low + box.high) / 2;
-    page.bottom = above + room + label_room(section, true);
-    page.height = section_draw_legend(&page, page.bottom + 46, false) + 8;
-    page.taken = ARENA_ARRAY(svg->arena, section->layout->part_count, struct svg_box);
-    svg_begin(svg, SECTION_WIDTH, page.height, section->title);
-    const struct svg_label title = {.x = SECTION_WIDTH / 2,
-                                    .y = 30,
-                                    .size = 18,
-                                    .anchor = SVG_MIDDLE,
-                                    .width = SECTION_WIDTH - 40,
-                                    .bold = true};
-    const struct svg_label below = {.x = SECTION_WIDTH / 2,
-                                    .y = 52,
-                                    .size = 13,
-                                    .anchor = SVG_MIDDLE,
-                                    .width = SECTION_WIDTH - 40,
-                                    .colour = "#444444"};
-    svg_text(svg, &title, section->title);
-    svg_text(svg, &below, section->subtitle);
-    for (int kind = 0; kind < LAYOUT_KINDS; kind++) {
-        for (size_t i = 0; i < section->layout->part_count; i++) {
-            if ((int)section->layout->parts[i].kind == kind) {
-                draw_part(&page, &section->layout->parts[i]);
-            }
-        }
-    }
-    write_labels(&page);
     /* 1, 2 or 5 times a power of ten, at most a sixth of the page. */
-    double y = page.bottom + 12;
+    double y = bottom + 12;
     double length = ticks_round_below(SECTION_WIDTH / 6 / page.scale);
     double x = MARGIN, end = MARGIN + length * page.scale;
     svg_scale_bar(page.svg, "#000000", x, end, y);
     section_write_text(&page, end + 8, y + 4, SVG_START, NULL,
                        arena_printf(page.svg->arena, "%.10g mm", length));
-    section_draw_legend(&page, page.bottom + 46, true);
+    section_draw_legend(&page, bottom + 46, true);
+    section_draw_list(&page, height - 8);
     svg_end(svg);
     return true;
 }

@@ -7,7 +7,7 @@ lenscalc draw double-gauss --construction --title "Gauss rays" -o rays.svg
 ls
 grep -o '>[^<]*</text>' rays.svg
 lenscalc convert erfle-eyepiece | sed '/^aperture/d' | lenscalc draw - -o none.svg
-lenscalc draw nikkor-z-14-24 --position all
+lenscalc draw nikkor-z-14-24 --position wide,tele -N 4 | grep -o '>[^<]*</text>'
 lenscalc draw double-gauss --construction --planes
 lenscalc draw schmidt-flat --construction
 printf 'surface 50 0 1.5 20\nsurface 50 0 air 20\n' | lenscalc draw - --construction
@@ -23,3 +23,5 @@ lenscalc draw folded.lens --construction
 # the aperture that cuts the axial beam is the one that a ray a little farther out is lost at
 lenscalc draw canon-rf50-f18 | grep -o 'axial beam is cut by the clear aperture of surface [0-9]*'
 lenscalc trace canon-rf50-f18 --field 0 --pupil-point 0:0.9958,0:0.9959 -w d --csv --columns status,surface
+# a table of the elements; fields that the lens does not state
+lenscalc draw ./one.lens --list | grep -o '>[^<]*</text>'

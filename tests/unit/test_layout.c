@@ -4,75 +4,9 @@
 #include "base/constants.h"
 #include "check.h"
 #include "file/lens_file.h"
+#include "layout_drawing.h"
 
 static const double degree = RADIANS_PER_DEGREE;
-
-struct drawing {
-    struct setup setup;
-    struct setup_light light;
-    struct layout layout;
-};
-
-/* What is wanted besides the lens, in words. */
-struct wanted {
-    bool planes, construction, no_rays;
-    enum lens_section section;
-};
-
-static bool try_draw(const char *text, const struct wanted *wanted, struct arena *arena,
-                     struct drawing *drawing, struct error *error)
-{
-    struct lens *lens = ARENA_NEW(arena, struct lens);
-    const struct plane_value plane = {.kind = PLANE_OF_LENS};
-    if (!lens_read("test", text_of(text), NULL, arena, lens, error)) {
-        return false;
-    }
-    const struct setup_question question = {
-        .lens = lens, .section = wanted->section, .wavelength = NAN, .fnumber = NAN};
-    if (!setup_open(&question, arena, &drawing->setup, error) ||
-        !setup_place_image(&drawing->setup, &plane, error) ||
-        !setup_light(&drawing->setup, 0, &drawing->light, error)) {
-        return false;
-    }
-    const struct layout_request request = {.light = &drawing->light,
-                                           .planes = wanted->planes,
-                                           .construction = wanted->construction,
-                                           .no_rays = wanted->no_rays};
-    return layout_make(&drawing->setup, &request, arena, &drawing->layout, error);
-}
-
-static void draw(const char *text, const struct wanted *wanted, struct arena *arena,
-                 struct drawing *drawing)
-{
-    struct error error = {0};
-    bool good = try_draw(text, wanted, arena, drawing, &error);
-    CHECK(good);
-    if (!good) {
-        printf("%s: %s\n", text, error.message);
-    }
-}
-
-/* The i-th part of a kind; an empty one if there is none. */
-static const struct layout_part *part_of(const struct drawing *drawing, enum layout_kind kind,
-                                         size_t i)
-{
-    static const struct layout_part none = {.label = ""};
-    for (size_t k = 0; k < drawing->layout.part_count; k++) {
-        if (drawing->layout.parts[k].kind == kind && i-- == 0) {
-            return &drawing->layout.parts[k];
-        }
-    }
-    return &none;
-}
-
-static size_t count_of(const struct drawing *drawing, enum layout_kind kind)
-{
-    size_t count = 0;
-    while (part_of(drawing, kind, count)->count > 0) {
-        count++;
-    }
-    return count;
-}
 
 /* The points z, y of a part, all of them. */
 static void check_points(const struct layout_part *part, const double (*points)[2], size_t count,
@@ -90,16 +24,6 @@ static void check_points(const struct layout_part *part, const double (*points)[
         static const double points_[][2] = {__VA_ARGS__};                                          \
         check_points((part), points_, sizeof points_ / sizeof points_[0], (tolerance), (what));    \
     } while (0)
-
-static bool is_noted(const struct drawing *drawing, const char *note)
-{
-    for (size_t i = 0; i < drawing->layout.note_count; i++) {
-        if (strstr(drawing->layout.notes[i], note) != NULL) {
-            return true;
-        }
-    }
-    return false;
-}
 
 /*
  * A stop of 20 mm, 10 mm before an ideal lens of f = 100 with H' 5 behind H, in air. The largest

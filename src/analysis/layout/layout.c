@@ -246,7 +246,7 @@ bool layout_make(const struct setup *setup, const struct layout_request *request
                               .image = NAN};
     layout->marginal = layout_follow(layout, first->marginal_y, first->marginal_v);
     layout->chief = layout_follow(layout, first->chief_y, first->chief_v);
-    if (!layout_lens(layout, error)) {
+    if (!layout_lens(layout, request, error)) {
         return false;
     }
     if (!layout->is_centred) {

@@ -14,7 +14,7 @@ enum layout_kind {
     LAYOUT_ELEMENT,  /* the closed outline of a piece of glass */
     LAYOUT_AXIS,     /* dash-dotted */
     LAYOUT_AXIAL,    /* a ray from the axial object point */
-    LAYOUT_OBLIQUE,  /* a ray from the edge of the field */
+    LAYOUT_OBLIQUE,  /* a ray from another field */
     LAYOUT_CHIEF,    /* the one through the middle of the stop */
     LAYOUT_GAUSS,    /* a ray of the construction with the cardinal points */
     LAYOUT_EXTENDED, /* its extension to where it is not */
@@ -34,9 +34,16 @@ enum layout_kind {
 struct layout_part {
     enum layout_kind kind;
     size_t glass; /* of an element: index of its glass */
+    size_t field; /* of an oblique or chief ray: index of its field */
     const double *z, *y;
     size_t count;
     const char *label; /* null = none; above a plane, pupil or image, below a point */
+};
+
+/* A piece of glass, from its first surface to the next. */
+struct layout_element {
+    size_t surface, glass; /* index of the surface in front; of the glass */
+    double z, low;         /* where a label points to: middle of its rim below, mm */
 };
 
 /* Where a surface stands: its vertex, and the angle of its axis (rad, up from z). */
@@ -50,6 +57,10 @@ struct layout {
     size_t part_count;
     const char **glasses; /* names */
     size_t glass_count;
+    struct layout_element *elements; /* from the first surface to the last */
+    size_t element_count;
+    const char **fields; /* of which oblique rays are drawn, from the axis to the edge */
+    size_t field_count;
     const char **notes; /* what is to be said beside it, a line each */
     size_t note_count;
     /* internal to analysis/layout/layout*.c */
@@ -79,6 +90,7 @@ struct layout_request {
     bool planes;                     /* principal planes, focal points and pupils */
     bool construction; /* the Gauss rays of the equivalent lens in place of bundles and image */
     bool no_rays;
+    const double *heights; /* of rays in other positions, one a surface, mm; null: there is one */
 };
 
 /* Has the lens neither decentres, tilts nor coordinate breaks? */
@@ -92,7 +104,7 @@ enum plane_kind layout_plane(const struct lens *lens);
 
 /*
  * Lay out a lens: glass, mirrors, stop, axis and image plane, the beam of the axis and the bundle
- * of the field's edge as its clear apertures let them pass.
+ * of each field as its clear apertures let them pass.
  *
  * Given     setup       with its image plane (setup_place_image by layout_plane)
  *           request     planes and construction are for centred lenses
@@ -103,7 +115,22 @@ enum plane_kind layout_plane(const struct lens *lens);
 bool layout_make(const struct setup *setup, const struct layout_request *request,
                  struct arena *arena, struct layout *layout, struct error *error);
 
+/* Does the lens say how wide every surface is that is drawn? */
+bool layout_states_diameters(const struct lens *lens);
+
+/*
+ * How high the exact rays of the axis and of all fields reach that the stop and the diameters that
+ * are stated let pass: at least as far as their outermost rays in and across the section.
+ *
+ * Given     setup, request, arena  as layout_make
+ *           heights  one a surface, mm: raised to what is reached
+ * Result    false: the lens states nothing that limits a beam, or its rays cannot be compiled
+ */
+bool layout_ray_heights(const struct setup *setup, const struct layout_request *request,
+                        struct arena *arena, double *heights);
+
 /* -------- internal to analysis/layout/layout*.c -------- */
+/* -------- analysis/layout/layout_parts.c -------- */
 
 /* A part with room for `count` points. */
 struct layout_part *layout_add(struct layout *layout, enum layout_kind kind, size_t count,
@@ -114,6 +141,23 @@ struct layout_ends {
 void layout_line(struct layout *layout, enum layout_kind kind, struct layout_ends ends,
                  const char *label);
 void layout_note(struct layout *layout, const char *note);
+
+/* -------- analysis/layout/layout_diameters.c -------- */
+
+/* Sag in the section drawn, mm. */
+double layout_sag(const struct layout *layout, size_t surface, double r);
+
+/* Glass between this surface and the next: is there a piece to draw? */
+bool layout_has_element(const struct layout *layout, size_t surface);
+
+/* Thickness of the glass after a surface, both surfaces continued to r. */
+double layout_thickness(const struct layout *layout, size_t i, double r);
+
+/* Semi-diameters of all surfaces. Errors as layout_lens */
+bool layout_find_diameters(struct layout *layout, const struct layout_request *request,
+                           struct error *error);
+
+/* -------- analysis/layout/layout_lens.c -------- */
 
 /* From where a ray met the surface to where it leaves: 0, or from H to H' of a thick lens. */
 static inline double layout_hiatus(const struct layout *layout, size_t surface)
@@ -133,18 +177,20 @@ static inline double layout_rear(const struct layout *layout)
  *
  * Limits    parts decentred, tilted and behind coordinate breaks stand where they are in the plane
  *           of the drawing; what goes out of it is left out, with a note.
- *           a surface without a diameter gets the height of marginal plus chief ray, less where
- *           its glass would end or the sag does
+ *           a surface without a diameter gets the height of the exact rays of all fields, of the
+ *           paraxial marginal plus chief ray where there are none, less where its glass would end
+ *           or the sag does
  * Errors    ERROR_DOMAIN: a surface without a diameter that no ray gives one
  */
-bool layout_lens(struct layout *layout, struct error *error);
+bool layout_lens(struct layout *layout, const struct layout_request *request, struct error *error);
 
 /* -------- analysis/layout/layout_rays.c -------- */
 
 /*
- * The beam of the point on the axis and the bundle from the edge of the field, both exact: their
- * outermost rays that all clear apertures let pass, and the chief ray.
+ * The beam of the point on the axis and the bundle of each field, all exact: their outermost rays
+ * that all clear apertures let pass, and the chief ray.
  *
+ * Limits    of more than six fields six are drawn, the farthest among them
  * Errors    as system_compile
  */
 bool layout_rays(struct layout *layout, struct error *error);

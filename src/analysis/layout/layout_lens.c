@@ -6,67 +6,11 @@
 #include "optics/aperture.h"
 
 enum { SAMPLES = 48, HATCHES = 28 };
-static const double THINNEST = 0.12; /* edge of an element, against its middle */
-static const double STEEPEST = 2;    /* slope of an edge */
-
-struct layout_part *layout_add(struct layout *layout, enum layout_kind kind, size_t count,
-                               double **z, double **y)
-{
-    layout->parts = arena_grow(layout->arena, layout->parts, layout->part_count, &layout->part_room,
-                               sizeof layout->parts[0]);
-    struct layout_part *part = &layout->parts[layout->part_count++];
-    *z = ARENA_ARRAY(layout->arena, count, double);
-    *y = ARENA_ARRAY(layout->arena, count, double);
-    *part = (struct layout_part){.kind = kind, .z = *z, .y = *y, .count = count};
-    return part;
-}
-
-void layout_line(struct layout *layout, enum layout_kind kind, struct layout_ends ends,
-                 const char *label)
-{
-    double *z, *y;
-    struct layout_part *part = layout_add(layout, kind, 2, &z, &y);
-    z[0] = ends.z1;
-    y[0] = ends.y1;
-    z[1] = ends.z2;
-    y[1] = ends.y2;
-    part->label = label;
-}
-
-void layout_note(struct layout *layout, const char *note)
-{
-    const char **notes = ARENA_ARRAY(layout->arena, layout->note_count + 1, const char *);
-    for (size_t i = 0; i < layout->note_count; i++) {
-        notes[i] = layout->notes[i];
-    }
-    notes[layout->note_count++] = note;
-    layout->notes = notes;
-}
-
-/* Sag in the section drawn. */
-static double sag(const struct layout *layout, size_t surface, double r)
-{
-    const struct surface *one = &layout->setup->lens->surfaces[surface];
-    double weight = surface_section(one)->weight[layout->setup->section == SECTION_Y ? 1 : 0];
-    return weight * surface_sag(one, r);
-}
-
-static bool is_glass(const struct layout *layout, size_t surface)
-{
-    return surface < layout->setup->lens->surface_count &&
-           !medium_is_air(&layout->setup->lens->surfaces[surface].medium);
-}
-
-/* Glass between this surface and the next: is there a piece to draw? */
-static bool has_element(const struct layout *layout, size_t surface)
-{
-    return surface + 1 < layout->setup->lens->surface_count && is_glass(layout, surface);
-}
 
 /* The surface's own edge in z; what lies beyond its clear diameter is a flat. */
 static double lens_edge(const struct layout *layout, size_t surface)
 {
-    return layout->vertex[surface] + sag(layout, surface, layout->semi[surface]);
+    return layout->vertex[surface] + layout_sag(layout, surface, layout->semi[surface]);
 }
 
 /* As a legend has it: of a model glass that was optimised no digits that nobody reads. */
@@ -77,13 +21,6 @@ static const char *layout_glass_name(const struct layout *layout, const struct m
     return medium->kind == MEDIUM_MODEL && written.length > LONGEST
                ? arena_printf(layout->arena, "%.5f/%.2f", medium->index.hi, medium->abbe.hi)
                : arena_string(layout->arena, written.start, written.length);
-}
-
-/* Thickness of the glass after a surface, both surfaces continued to r. */
-static double thickness(const struct layout *layout, size_t i, double r)
-{
-    return (layout->vertex[i + 1] + sag(layout, i + 1, r) - layout->vertex[i] - sag(layout, i, r)) *
-           layout->direction[i + 1];
 }
 
 /* Shift, then turn, as far as both lie in the plane of the drawing; returns what does not. */
@@ -138,128 +75,10 @@ static void layout_lens_put(const struct layout *layout, size_t surface, double 
     *y = frame->y + along * sin(frame->angle) + across * cos(frame->angle);
 }
 
-/* Is there room between two neighbouring surfaces, each with a flat beyond its diameter, to r? */
-static bool is_apart(const struct layout *layout, size_t i, double r)
-{
-    const struct surface *surface = &layout->setup->lens->surfaces[i];
-    bool both = i + 1 < layout->setup->lens->surface_count && layout->is_drawn[i] &&
-                layout->is_drawn[i + 1] && !surface_has(surface, SURFACE_HAS_FOCAL) &&
-                !surface_has(surface + 1, SURFACE_HAS_FOCAL);
-    for (int k = 1; both && k <= SAMPLES; k++) {
-        double h = r * k / SAMPLES;
-        double left = sag(layout, i, fmin(h, layout->semi[i]));
-        double right = sag(layout, i + 1, fmin(h, layout->semi[i + 1]));
-        double gap = layout->vertex[i + 1] + right - layout->vertex[i] - left;
-        double least = is_glass(layout, i) ? THINNEST * fabs(thickness(layout, i, 0)) : 0;
-        if (gap * layout->direction[i + 1] < least) {
-            return false;
-        }
-    }
-    return true;
-}
-
-/* Does a diameter that nobody stated make sense: no crossing, no slope beyond that of a lens? */
-static bool is_sensible(const struct layout *layout, size_t i)
-{
-    double r = layout->semi[i];
-    double rise = sag(layout, i, r) - sag(layout, i, 0.98 * r);
-    return fabs(rise) < STEEPEST * 0.02 * r && is_apart(layout, i, r) &&
-           (i == 0 || is_apart(layout, i - 1, r));
-}
-
-static bool find_diameters(struct layout *layout, struct error *error)
-{
-    const struct lens *lens = layout->setup->lens;
-    size_t guessed = 0;
-    for (size_t i = 0; i < lens->surface_count; i++) {
-        const struct surface *surface = &lens->surfaces[i];
-        double y = layout->marginal[i].y, bar = layout->chief[i].y;
-        double stated = aperture_reach(surface);
-        if (surface->has_diameter) {
-            layout->semi[i] = surface->diameter.value.hi / 2;
-        } else if (isfinite(stated)) {
-            layout->semi[i] = stated;
-        } else {
-            layout->semi[i] = fabs(y) + (isfinite(bar) ? fabs(bar) : 0);
-        }
-        if (!layout->is_drawn[i]) {
-            continue;
-        }
-        if (!(layout->semi[i] > 0 && layout->semi[i] < INFINITY)) {
-            fail(error, ERROR_DOMAIN, "surface %zu has no diameter, and no ray gives it one",
-                 i + 1);
-            return error_hint(error, "state diameters or an aperture in the file, or give -N");
-        }
-        guessed += isfinite(stated) ? 0 : 1;
-    }
-    for (size_t i = 0; i < lens->surface_count; i++) {
-        if (layout->is_drawn[i]) {
-            /* less, until there is a sag and, where nobody stated the diameter, room for it */
-            const bool is_guess = !isfinite(aperture_reach(&lens->surfaces[i]));
-            for (int step = 0; step < 400 && !(isfinite(sag(layout, i, layout->semi[i])) &&
-                                               (!is_guess || is_sensible(layout, i)));
-                 step++) {
-                layout->semi[i] *= 0.99;
-            }
-            layout->size = fmax(layout->size, layout->semi[i]);
-        }
-    }
-    if (guessed > 0) {
-        layout_note(layout,
-                    arena_printf(layout->arena,
-                                 "%zu of %zu surfaces have no stated diameter: theirs follow from "
-                                 "the heights of the paraxial marginal and chief rays",
-                                 guessed, lens->surface_count));
-    }
-    return true;
-}
-
 static void layout_lens_reach(struct layout *layout, double z)
 {
     layout->left = fmin(layout->left, z);
     layout->right = fmax(layout->right, z);
-}
-
-/* Up the first surface, along the rim, down the second; flats reach out to the larger one. */
-static void add_element(struct layout *layout, size_t i)
-{
-    double *z, *y;
-    size_t count = 0;
-    struct layout_part *part = layout_add(layout, LAYOUT_ELEMENT, 2 * (SAMPLES + 1) + 4, &z, &y);
-    double r = fmax(layout->semi[i], layout->semi[i + 1]);
-    bool stepped = (lens_edge(layout, i + 1) - lens_edge(layout, i)) * layout->direction[i + 1] > 0;
-    for (size_t side = 0; side < 2; side++) {
-        size_t surface = i + side;
-        double semi = layout->semi[surface], up = side == 0 ? 1 : -1;
-        bool flat = stepped && semi < r;
-        if (flat) {
-            z[count] = lens_edge(layout, surface);
-            y[count] = -up * r;
-            layout_lens_put(layout, surface, &z[count], &y[count]);
-            count++;
-        }
-        for (int k = 0; k <= SAMPLES; k++) {
-            double h = up * semi * sin(PI / 2 * (2.0 * k / SAMPLES - 1)); /* denser at the rims */
-            z[count] = layout->vertex[surface] + sag(layout, surface, h);
-            y[count] = h;
-            layout_lens_put(layout, surface, &z[count], &y[count]);
-            layout_lens_reach(layout, z[count++]);
-        }
-        if (flat) {
-            z[count] = lens_edge(layout, surface);
-            y[count] = up * r;
-            layout_lens_put(layout, surface, &z[count], &y[count]);
-            count++;
-        }
-    }
-    part->count = count;
-    const char *name = layout_glass_name(layout, &layout->setup->lens->surfaces[i].medium);
-    const struct text kept = text_of(name);
-    part->glass = name_table_find(&layout->glass_names, kept);
-    if (part->glass == NAME_NONE) {
-        layout->glasses[layout->glass_count++] = name;
-        part->glass = name_table_add(&layout->glass_names, kept, layout->arena);
-    }
 }
 
 /* -------- what apertures leave -------- */
@@ -337,7 +156,7 @@ static void add_blocks(struct layout *layout, size_t i)
         layout_add(layout, LAYOUT_BLOCK, SAMPLES + 1, &z, &y);
         for (int j = 0; j <= SAMPLES; j++) {
             y[j] = low + (high - low) * j / SAMPLES;
-            z[j] = layout->vertex[i] + sag(layout, i, y[j]);
+            z[j] = layout->vertex[i] + layout_sag(layout, i, y[j]);
             layout_lens_put(layout, i, &z[j], &y[j]);
             layout_lens_reach(layout, z[j]);
         }
@@ -372,7 +191,7 @@ static void add_mirror_piece(struct layout *layout, size_t i, double from, doubl
     layout_add(layout, LAYOUT_MIRROR, SAMPLES + 1, &z, &y);
     for (int k = 0; k <= SAMPLES; k++) {
         y[k] = from + (to - from) * k / SAMPLES;
-        z[k] = layout->vertex[i] + sag(layout, i, y[k]);
+        z[k] = layout->vertex[i] + layout_sag(layout, i, y[k]);
         layout_lens_put(layout, i, &z[k], &y[k]);
         layout_lens_reach(layout, z[k]);
     }
@@ -380,7 +199,7 @@ static void add_mirror_piece(struct layout *layout, size_t i, double from, doubl
     layout_add(layout, LAYOUT_HATCH, 3 * (size_t)strokes, &hatch_z, &hatch_y);
     for (int k = 0; k < strokes; k++) {
         double h = from + (to - from) * (k + 0.5) / strokes;
-        double at = layout->vertex[i] + sag(layout, i, h);
+        double at = layout->vertex[i] + layout_sag(layout, i, h);
         hatch_z[3 * k] = at;
         hatch_y[3 * k] = h;
         hatch_z[3 * k + 1] = at + depth * layout->direction[i];
@@ -406,6 +225,118 @@ static void add_mirror(struct layout *layout, size_t i)
     }
 }
 
+/* Radius of the hole in a mirror: what its apertures or the light that comes back leave. */
+static double mirror_gap(const struct layout *layout, size_t i)
+{
+    const double semi = layout->semi[i];
+    struct lens_stretch stretches[STRETCHES];
+    if (layout->setup->lens->surfaces[i].aperture_count == 0) {
+        return mirror_hole(layout, i);
+    }
+    size_t count = find_stretches(layout, i, true, (struct lens_stretch){-semi, semi}, stretches);
+    return count == 2 && stretches[1].low > 0 ? stretches[1].low : 0;
+}
+
+/* Radius of the hole in the glass before a pierced mirror, where something else stands in it. */
+static double element_hole(const struct layout *layout, size_t i)
+{
+    const struct lens *lens = layout->setup->lens;
+    const double a = layout->vertex[i], b = layout->vertex[i + 1], near = 1e-9 * layout->size;
+    double hole = 0;
+    for (size_t side = 0; side < 2; side++) {
+        if (layout->is_centred && surface_reflects(&lens->surfaces[i + side])) {
+            hole = fmax(hole, mirror_gap(layout, i + side));
+        }
+    }
+    for (size_t k = 0; hole > 0 && k < lens->surface_count; k++) {
+        if (layout->is_drawn[k] && layout->semi[k] <= hole &&
+            layout->vertex[k] > fmin(a, b) + near && layout->vertex[k] < fmax(a, b) - near) {
+            return hole < fmin(layout->semi[i], layout->semi[i + 1]) ? hole : 0;
+        }
+    }
+    return 0;
+}
+
+/* -------- elements -------- */
+
+/*
+ * Up the first surface from one height to another, along the rim, down the second; flats reach out
+ * to the larger one.
+ */
+static struct layout_part *add_outline(struct layout *layout, size_t i, double from, double to)
+{
+    double *z, *y;
+    size_t count = 0;
+    struct layout_part *part = layout_add(layout, LAYOUT_ELEMENT, 2 * (SAMPLES + 1) + 4, &z, &y);
+    bool stepped = (lens_edge(layout, i + 1) - lens_edge(layout, i)) * layout->direction[i + 1] > 0;
+    for (size_t side = 0; side < 2; side++) {
+        size_t surface = i + side;
+        double semi = layout->semi[surface], up = side == 0 ? 1 : -1;
+        double low = fmax(from, -semi), high = fmin(to, semi);
+        for (int k = -1; k <= SAMPLES + 1; k++) {
+            double turn = fmin(fmax((double)k / SAMPLES, 0), 1);
+            /* denser at the rims */
+            double h = (low + high) / 2 + up * (high - low) / 2 * sin(PI / 2 * (2 * turn - 1));
+            bool flat = k < 0 || k > SAMPLES;
+            double end = h > 0 ? to : from;
+            if (flat && !(stepped && fabs(h) >= semi * (1 - 1e-12) && fabs(end) > semi)) {
+                continue;
+            }
+            z[count] = layout->vertex[surface] + layout_sag(layout, surface, h);
+            y[count] = flat ? end : h;
+            layout_lens_put(layout, surface, &z[count], &y[count]);
+            layout_lens_reach(layout, z[count++]);
+        }
+    }
+    part->count = count;
+    return part;
+}
+
+/* Which of the layout's glasses it is, a new one if it was not there before. */
+static size_t layout_glass(struct layout *layout, size_t i)
+{
+    const char *name = layout_glass_name(layout, &layout->setup->lens->surfaces[i].medium);
+    const struct text kept = text_of(name);
+    size_t glass = name_table_find(&layout->glass_names, kept);
+    if (glass == NAME_NONE) {
+        layout->glasses[layout->glass_count++] = name;
+        glass = name_table_add(&layout->glass_names, kept, layout->arena);
+    }
+    return glass;
+}
+
+/* Has light been through this glass before, on its way to a mirror and back? */
+static bool is_element_again(const struct layout *layout, size_t i)
+{
+    for (size_t k = 0; k < layout->element_count; k++) {
+        const size_t before = layout->elements[k].surface;
+        const double near = 1e-9 * layout->size;
+        if (fabs(layout->vertex[before] - layout->vertex[i + 1]) <= near &&
+            fabs(layout->vertex[before + 1] - layout->vertex[i]) <= near) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static void add_element(struct layout *layout, size_t i, double hole)
+{
+    const size_t glass = layout_glass(layout, i);
+    const double r = fmax(layout->semi[i], layout->semi[i + 1]);
+    if (hole > 0) {
+        add_outline(layout, i, -r, -hole)->glass = glass;
+        add_outline(layout, i, hole, r)->glass = glass;
+    } else {
+        add_outline(layout, i, -r, r)->glass = glass;
+    }
+    if (!is_element_again(layout, i)) {
+        double z = (lens_edge(layout, i) + lens_edge(layout, i + 1)) / 2, y = -r;
+        layout_lens_put(layout, i, &z, &y);
+        layout->elements[layout->element_count++] =
+            (struct layout_element){.surface = i, .glass = glass, .z = z, .low = y};
+    }
+}
+
 static void add_stroke(struct layout *layout, size_t stop, double z1, double y1, double z2,
                        double y2)
 {
@@ -423,7 +354,7 @@ static void layout_lens_add_stop(struct layout *layout)
     const double real = layout->setup->real_stop;
     double r = isnan(real) ? layout->light->first.stop_radius : real, tick = 0.16 * layout->size;
     r = r > 0 ? r : layout->semi[stop];
-    double at = layout->vertex[stop] + sag(layout, stop, r);
+    double at = layout->vertex[stop] + layout_sag(layout, stop, r);
     if (!(r > 0 && r < INFINITY && isfinite(at))) {
         return;
     }
@@ -436,13 +367,14 @@ static void layout_lens_add_stop(struct layout *layout)
     layout_lens_reach(layout, at);
 }
 
-bool layout_lens(struct layout *layout, struct error *error)
+bool layout_lens(struct layout *layout, const struct layout_request *request, struct error *error)
 {
     const struct lens *lens = layout->setup->lens;
     const size_t count = lens->surface_count;
     layout->left = INFINITY;
     layout->right = -INFINITY;
     layout->glasses = ARENA_ARRAY(layout->arena, count, const char *);
+    layout->elements = ARENA_ARRAY(layout->arena, count, struct layout_element);
     layout->vertex = ARENA_ARRAY(layout->arena, count, double);
     layout->semi = ARENA_ARRAY(layout->arena, count, double);
     layout->frames = ARENA_ARRAY(layout->arena, count, struct layout_frame);
@@ -456,27 +388,26 @@ bool layout_lens(struct layout *layout, struct error *error)
         layout->direction[i] = direction;
         z += surface_advance(surface).hi;
         direction = surface_reflects(surface) ? -direction : direction;
-        layout->is_drawn[i] = surface_traits(surface)->is_drawn || is_glass(layout, i) ||
-                              (i > 0 && is_glass(layout, i - 1));
     }
     layout->light_direction = direction;
     find_frames(layout);
-    if (!find_diameters(layout, error)) {
+    if (!layout_find_diameters(layout, request, error)) {
         return false;
     }
     /* A cemented surface reaches to the smaller of the two outer rims, where it can. */
     for (size_t i = 1; i + 1 < layout->setup->lens->surface_count; i++) {
-        if (!has_element(layout, i) || !has_element(layout, i - 1)) {
+        if (!layout_has_element(layout, i) || !layout_has_element(layout, i - 1)) {
             continue;
         }
         double r = fmin(layout->semi[i - 1], layout->semi[i + 1]);
-        if (r > layout->semi[i] && thickness(layout, i, r) > 0 && thickness(layout, i - 1, r) > 0) {
+        if (r > layout->semi[i] && layout_thickness(layout, i, r) > 0 &&
+            layout_thickness(layout, i - 1, r) > 0) {
             layout->semi[i] = r;
         }
     }
     for (size_t i = 0; i < count; i++) {
-        if (has_element(layout, i)) {
-            add_element(layout, i);
+        if (layout_has_element(layout, i)) {
+            add_element(layout, i, element_hole(layout, i));
         }
         if (surface_reflects(&lens->surfaces[i])) {
             add_mirror(layout, i);

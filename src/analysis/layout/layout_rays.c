@@ -10,7 +10,7 @@
 
 #include <string.h>
 
-enum { LEAST_FIELDS = 60 };
+enum { LEAST_FIELDS = 60, MOST_FIELDS = 6 };
 
 /* What the rays need: the lens with a clear aperture at every surface that is drawn. */
 struct rays_beams {
@@ -18,8 +18,59 @@ struct rays_beams {
     const struct system *open; /* without clear apertures */
     struct system clipped;     /* and with those of the drawing */
     bool has_stop;             /* of a size */
-    struct field_point edge;   /* of the field, in the section */
 };
+
+/* -------- fields -------- */
+
+static double rays_field_value(const struct setup *setup, const struct field_point *field)
+{
+    return field->value[setup_axis(setup)];
+}
+
+/*
+ * The fields off the axis, as the section sees them, each once and the farthest last.
+ *
+ * Given     list  has room for those of the setup
+ *           lost  says why the edge is not among them, if it is not
+ */
+static size_t rays_fields(const struct setup *setup, struct field_point *list, struct error *lost)
+{
+    size_t count = 0;
+    for (size_t i = 0; i <= setup->field_count; i++) {
+        struct field_point field =
+            i < setup->field_count ? setup->fields[i].point : setup->edge; /* its reason counts */
+        if (field.kind == FIELD_NONE || !setup_real_in_object(setup, &field, lost)) {
+            continue;
+        }
+        double value = rays_field_value(setup, &field);
+        bool is_new = isfinite(value) && fabs(value) > 0;
+        for (size_t k = 0; k < count; k++) {
+            double other = rays_field_value(setup, &list[k]);
+            is_new = is_new && !(fabs(value - other) <= 1e-9 * fabs(value));
+        }
+        size_t k = count;
+        for (; is_new && k > 0 && fabs(value) < fabs(rays_field_value(setup, &list[k - 1])); k--) {
+            list[k] = list[k - 1];
+        }
+        if (is_new) {
+            list[k] = field;
+            count++;
+        }
+    }
+    return count;
+}
+
+/* "14°", "12 mm". */
+static const char *rays_field_text(const struct layout *layout, const struct field_point *field,
+                                   double share)
+{
+    bool angle = field->kind == FIELD_ANGLE;
+    double value = share * rays_field_value(layout->setup, field);
+    return arena_printf(layout->arena, "%.3g%s", value * (angle ? DEGREES_PER_RADIAN : 1),
+                        angle ? "°" : " mm");
+}
+
+/* -------- rays -------- */
 
 /* From the frame of a surface's axis to the drawing. */
 static void layout_place(const struct layout *layout, size_t surface, double along, double across,
@@ -36,7 +87,7 @@ static double lead(const struct layout *layout)
     return 0.3 * (layout->right - layout->left) + 0.5 * layout->size;
 }
 
-static void layout_add_ray(const struct rays_beams *beams, enum layout_kind kind,
+static void layout_add_ray(const struct rays_beams *beams, enum layout_kind kind, size_t field,
                            const struct ray *start)
 {
     struct layout *layout = beams->layout;
@@ -50,6 +101,7 @@ static void layout_add_ray(const struct rays_beams *beams, enum layout_kind kind
         return;
     }
     struct layout_part *part = layout_add(layout, kind, 2 * count + 2, &z, &y);
+    part->field = field;
     for (size_t i = 0; i < count; i++) {
         if (layout->is_drawn[i]) {
             const double *point = meetings[i].ray.point;
@@ -98,22 +150,51 @@ struct rays_bundle {
     struct clear_cross clear;
 };
 
-static bool find_bundle(struct rays_beams *beams, const struct field_point *field,
-                        struct rays_bundle *bundle)
+static bool find_bundle(const struct setup *setup, const struct system *clipped,
+                        const struct field_point *field, const struct first_order *first,
+                        struct arena *arena, struct rays_bundle *bundle)
 {
-    struct layout *layout = beams->layout;
-    const struct setup *setup = layout->setup;
-    const struct first_order *first = &layout->light->first;
     struct error ignored;
     if (!beam_of_field(field, &setup->object, &setup->first, &bundle->beam, &ignored)) {
         return false;
     }
-    struct arena_mark mark = arena_mark(layout->arena);
-    struct clear_guess guess = clear_guess_of(&beams->clipped, &bundle->beam, first);
-    clear_across(&beams->clipped, &bundle->beam, &guess, lens_is_round(layout->setup->lens),
-                 layout->arena, &bundle->clear);
-    arena_reset(layout->arena, mark);
+    struct arena_mark mark = arena_mark(arena);
+    struct clear_guess guess = clear_guess_of(clipped, &bundle->beam, first);
+    clear_across(clipped, &bundle->beam, &guess, lens_is_round(setup->lens), arena, &bundle->clear);
+    arena_reset(arena, mark);
     return !bundle->clear.is_empty;
+}
+
+bool layout_ray_heights(const struct setup *setup, const struct layout_request *request,
+                        struct arena *arena, double *heights)
+{
+    const size_t count = setup->lens->surface_count;
+    struct field_point *fields = ARENA_ARRAY(arena, setup->field_count + 2, struct field_point);
+    struct ray_intersection *meetings = ARENA_ARRAY(arena, count, struct ray_intersection);
+    struct rays_bundle bundle;
+    struct error ignored;
+    const struct system *clipped =
+        setup_system(setup, request->wavelength, SETUP_CLIPPED, &ignored);
+    if (clipped == NULL || !isfinite(setup->first.stop_radius)) {
+        return false;
+    }
+    fields[0] = (struct field_point){.kind = FIELD_NONE};
+    size_t field_count = 1 + rays_fields(setup, fields + 1, &ignored);
+    for (size_t k = 0; k < field_count; k++) {
+        if (!find_bundle(setup, clipped, &fields[k], &request->light->first, arena, &bundle)) {
+            continue;
+        }
+        for (size_t end = 0; end < 4; end++) {
+            const double *at = bundle.clear.ends[end].at;
+            struct ray ray = beam_ray(&bundle.beam, at[0], at[1]);
+            ray_follow(clipped, &ray, arena, meetings);
+            for (size_t i = 0; i < count && meetings[count - 1].ray.status == RAY_OK; i++) {
+                const double *point = meetings[i].ray.point;
+                heights[i] = fmax(heights[i], hypot(point[0], point[1]));
+            }
+        }
+    }
+    return true;
 }
 
 static const struct clear_edge *layout_edge_of(const struct rays_beams *beams,
@@ -123,13 +204,13 @@ static const struct clear_edge *layout_edge_of(const struct rays_beams *beams,
     return &bundle->clear.ends[side > 0 ? axis : axis + 2];
 }
 
-static void add_edges(const struct rays_beams *beams, enum layout_kind kind,
+static void add_edges(const struct rays_beams *beams, enum layout_kind kind, size_t field,
                       const struct rays_bundle *bundle)
 {
     for (int side = -1; side <= 1; side += 2) {
         const double *at = layout_edge_of(beams, bundle, side)->at;
         struct ray ray = beam_ray(&bundle->beam, at[0], at[1]);
-        layout_add_ray(beams, kind, &ray);
+        layout_add_ray(beams, kind, field, &ray);
     }
 }
 
@@ -153,7 +234,8 @@ static void add_axial(struct rays_beams *beams)
     struct layout *layout = beams->layout;
     const struct field_point axis = {.kind = FIELD_NONE};
     struct rays_bundle bundle;
-    if (!find_bundle(beams, &axis, &bundle)) {
+    if (!find_bundle(layout->setup, &beams->clipped, &axis, &layout->light->first, layout->arena,
+                     &bundle)) {
         layout_note(layout, "no ray of the point on the axis passes the clear apertures");
         return;
     }
@@ -166,14 +248,16 @@ static void add_axial(struct rays_beams *beams)
                 "the axial beam is cut by the clear aperture of surface %zu, not by the stop",
                 cut + 1));
     }
-    add_edges(beams, LAYOUT_AXIAL, &bundle);
+    add_edges(beams, LAYOUT_AXIAL, 0, &bundle);
 }
 
-static bool layout_rays_find_at(struct rays_beams *beams, double share, struct rays_bundle *bundle)
+static bool layout_rays_find_at(const struct rays_beams *beams, const struct field_point *edge,
+                                double share, struct rays_bundle *bundle)
 {
-    const struct field_point *edge = &beams->edge;
     const struct field_point field = {edge->kind, {share * edge->value[0], share * edge->value[1]}};
-    return find_bundle(beams, &field, bundle);
+    const struct layout *layout = beams->layout;
+    return find_bundle(layout->setup, &beams->clipped, &field, &layout->light->first, layout->arena,
+                       bundle);
 }
 
 /*
@@ -181,19 +265,20 @@ static bool layout_rays_find_at(struct rays_beams *beams, double share, struct r
  * between the edge and where the last of these steps leads to. If none pass there, none are drawn:
  * to find that nothing passes takes far longer than to find what does.
  */
-static double layout_find_edge(struct rays_beams *beams, struct rays_bundle *bundle)
+static double layout_find_edge(const struct rays_beams *beams, const struct field_point *edge,
+                               struct rays_bundle *bundle)
 {
     struct rays_bundle nearer;
     int dark = 0, lit = LEAST_FIELDS; /* steps from the edge */
-    if (layout_rays_find_at(beams, 1, bundle)) {
+    if (layout_rays_find_at(beams, edge, 1, bundle)) {
         return 1;
     }
-    if (!layout_rays_find_at(beams, pow(0.97, lit), bundle)) {
+    if (!layout_rays_find_at(beams, edge, pow(0.97, lit), bundle)) {
         return 0;
     }
     while (lit - dark > 1) {
         int middle = (lit + dark) / 2;
-        if (layout_rays_find_at(beams, pow(0.97, middle), &nearer)) {
+        if (layout_rays_find_at(beams, edge, pow(0.97, middle), &nearer)) {
             lit = middle;
             *bundle = nearer;
         } else {
@@ -203,29 +288,17 @@ static double layout_find_edge(struct rays_beams *beams, struct rays_bundle *bun
     return pow(0.97, lit);
 }
 
-static void add_oblique(struct rays_beams *beams)
+/* The bundle and the chief ray of a field, or of a share of it. */
+static void add_oblique(const struct rays_beams *beams, const struct rays_bundle *bundle,
+                        const struct field_point *of, double share)
 {
+    static const char *const heights[FIELD_KINDS] = {
+        [FIELD_ANGLE] = "field", [FIELD_HEIGHT] = "object height", [FIELD_IMAGE] = "image height"};
     struct layout *layout = beams->layout;
-    struct rays_bundle bundle;
-    double share = layout_find_edge(beams, &bundle);
-    if (!(share > 0)) {
-        layout_note(layout, "no ray from the edge of the field passes the clear apertures");
-        return;
-    }
-    if (share < 1) {
-        bool angle = beams->edge.kind == FIELD_ANGLE;
-        double field = beams->edge.value[setup_axis(layout->setup)];
-        layout_note(layout,
-                    arena_printf(layout->arena,
-                                 "the oblique bundle is drawn at %.3g%s, not %.3g%s: no ray from "
-                                 "there passes the clear apertures",
-                                 share * field * (angle ? DEGREES_PER_RADIAN : 1),
-                                 angle ? "°" : " mm", field * (angle ? DEGREES_PER_RADIAN : 1),
-                                 angle ? "°" : " mm"));
-    } else if (cutting(beams, &bundle) != LENS_NONE) {
-        layout_note(layout, "the oblique bundle is cut by the clear apertures of the elements");
-    }
-    add_edges(beams, LAYOUT_OBLIQUE, &bundle);
+    const size_t field = layout->field_count;
+    layout->fields[layout->field_count++] =
+        arena_printf(layout->arena, "%s %s", heights[of->kind], rays_field_text(layout, of, share));
+    add_edges(beams, LAYOUT_OBLIQUE, field, bundle);
     /* of mirrors about the axis a secondary one would be in its way */
     bool has_mirror = false;
     for (size_t i = 0; i < layout->setup->lens->surface_count; i++) {
@@ -234,10 +307,55 @@ static void add_oblique(struct rays_beams *beams)
     struct aim aim;
     struct error ignored;
     if (beams->has_stop && !(layout->is_centred && has_mirror) &&
-        aim_open(beams->open, &bundle.beam, layout->arena, &aim, &ignored)) {
+        aim_open(beams->open, &bundle->beam, layout->arena, &aim, &ignored)) {
         struct ray chief = aim_chief(&aim);
-        layout_add_ray(beams, LAYOUT_CHIEF, &chief);
+        layout_add_ray(beams, LAYOUT_CHIEF, field, &chief);
     }
+}
+
+/* The fields but the last; of more than there is room for an even choice. */
+static void add_inner_fields(const struct rays_beams *beams, const struct field_point *fields,
+                             size_t count)
+{
+    const size_t shown = count < MOST_FIELDS ? count : MOST_FIELDS;
+    for (size_t k = 1; k < shown; k++) {
+        const struct field_point *field = &fields[(k * count + shown - 1) / shown - 1];
+        struct rays_bundle bundle;
+        if (layout_rays_find_at(beams, field, 1, &bundle)) {
+            add_oblique(beams, &bundle, field, 1);
+        } else {
+            layout_note(beams->layout,
+                        arena_printf(beams->layout->arena,
+                                     "no ray of the field %s passes the clear apertures",
+                                     rays_field_text(beams->layout, field, 1)));
+        }
+    }
+    if (shown < count) {
+        layout_note(beams->layout, arena_printf(beams->layout->arena, "%zu of %zu fields are drawn",
+                                                shown, count));
+    }
+}
+
+static void add_edge_of_field(const struct rays_beams *beams, const struct field_point *edge)
+{
+    struct layout *layout = beams->layout;
+    struct rays_bundle bundle;
+    double share = layout_find_edge(beams, edge, &bundle);
+    if (!(share > 0)) {
+        layout_note(layout, "no ray from the edge of the field passes the clear apertures");
+        return;
+    }
+    if (share < 1) {
+        layout_note(layout,
+                    arena_printf(layout->arena,
+                                 "the oblique bundle is drawn at %s, not %s: no ray from there "
+                                 "passes the clear apertures",
+                                 rays_field_text(layout, edge, share),
+                                 rays_field_text(layout, edge, 1)));
+    } else if (cutting(beams, &bundle) != LENS_NONE) {
+        layout_note(layout, "the oblique bundle is cut by the clear apertures of the elements");
+    }
+    add_oblique(beams, &bundle, edge, share);
 }
 
 bool layout_rays(struct layout *layout, struct error *error)
@@ -276,14 +394,17 @@ bool layout_rays(struct layout *layout, struct error *error)
         return false;
     }
     add_axial(&beams);
-    struct error lost;
-    beams.edge = setup->edge;
-    if (!setup_real_in_object(setup, &beams.edge, &lost)) {
+    struct error lost = {0};
+    struct field_point *fields =
+        ARENA_ARRAY(layout->arena, setup->field_count + 1, struct field_point);
+    size_t count = rays_fields(setup, fields, &lost);
+    layout->fields = ARENA_ARRAY(layout->arena, count + 1, const char *);
+    if (lost.code != ERROR_NONE) {
         layout_note(layout, arena_printf(layout->arena, "no oblique bundle: %s", lost.message));
     }
-    double field = beams.edge.value[setup_axis(setup)];
-    if (setup->edge.kind != FIELD_NONE && isfinite(field) && field != 0) {
-        add_oblique(&beams);
+    if (count > 0) {
+        add_inner_fields(&beams, fields, count);
+        add_edge_of_field(&beams, &fields[count - 1]);
     }
     return true;
 }

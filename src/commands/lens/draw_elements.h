@@ -1,0 +1,12 @@
+/* commands/lens/draw_elements.h - the elements of a lens in numbers, beside its cross-section. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_COMMANDS_LENS_DRAW_ELEMENTS_H
+#define LENSCALC_COMMANDS_LENS_DRAW_ELEMENTS_H
+
+#include "analysis/layout/layout.h"
+#include "draw/section.h"
+
+/* Its elements as a table. */
+struct section_table draw_elements_table(const struct layout *layout);
+
+#endif
