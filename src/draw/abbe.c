@@ -73,7 +73,7 @@ static void draw_numbers(const struct abbe_drawing *drawing)
                                     .anchor = SVG_MIDDLE,
                                     .width = ABBE_WIDTH - 40,
                                     .bold = true};
-    svg_text(svg, &title, drawing->abbe->title);
+    svg_title(svg, &title, drawing->abbe->title);
 }
 
 /* Crown left, flint right; the border is that of the makers' diagrams. */

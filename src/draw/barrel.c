@@ -367,7 +367,7 @@ bool barrel_draw(const struct barrel *barrel, struct svg *svg, struct error *err
     svg_begin(svg, BARREL_WIDTH, BARREL_HEIGHT, barrel->title);
     double width = BARREL_WIDTH - 2 * MARGIN;
     svg_heading(svg, MARGIN, 36, 18, width, barrel->title);
-    svg_words_within(svg, MARGIN, 60, 13, width, "#555", barrel->subtitle);
+    svg_subheading(svg, MARGIN, 60, 13, width, barrel->subtitle);
     /* Both rings, and over them what is sharp at the chosen f-number. */
     const struct barrel_mark *mark = &barrel->marks[barrel->chosen];
     double left = fmax(barrel_position(&scale, mark->near_diopter), MARGIN);

@@ -125,7 +125,7 @@ bool bars_draw(const struct bars *bars, struct svg *svg, struct error *error)
     bars_draw_legend(bars, page.width, svg);
     const double room = page.width - LEFT - 12;
     svg_heading(svg, LEFT, 30, TITLE_SIZE, room, bars->title);
-    svg_words_within(svg, LEFT, 50, LABEL_SIZE, room, "#555", bars->subtitle);
+    svg_subheading(svg, LEFT, 50, LABEL_SIZE, room, bars->subtitle);
     svg_words(svg, (LEFT + page.width - RIGHT) / 2, bottom + 48, LABEL_SIZE, SVG_MIDDLE, NULL,
               bars->x_label);
     svg_words_upwards(svg, 22, (top + bottom) / 2, LABEL_SIZE, bars->y_label);

@@ -71,8 +71,7 @@ static void front_draw_frame(const struct front_drawing *drawing)
               front->x_label);
     svg_words_upwards(svg, 22, (y->start + y->stop) / 2, AXIS_SIZE, front->y_label);
     svg_heading(svg, LEFT, 30, TITLE_SIZE, FRONT_WIDTH - LEFT - 20, front->title);
-    svg_words_within(svg, LEFT, 52, NUMBER_SIZE, FRONT_WIDTH - LEFT - 20, "#555555",
-                     front->subtitle);
+    svg_subheading(svg, LEFT, 52, NUMBER_SIZE, FRONT_WIDTH - LEFT - 20, front->subtitle);
 }
 
 static int front_by_x(const void *first, const void *second)

@@ -84,7 +84,7 @@ bool grid_image_draw(const struct grid_image *grid, struct svg *svg, struct erro
     double *y = ARENA_ARRAY(svg->arena, grid->points, double);
     svg_begin(svg, width, TOP + SIDE + BOTTOM, grid->title);
     svg_heading(svg, 24, 32, 16, 0.93 * room, grid->title);
-    svg_words_within(svg, 24, 54, 12, room, NULL, grid->subtitle);
+    svg_subheading(svg, 24, 54, 12, room, grid->subtitle);
     svg_words_within(svg, 24, 72, 12, room, NULL, grid->note);
     grid_image_draw_axes(&page);
     /* the ideal grid, its image, and the legend below */

@@ -97,9 +97,7 @@ bool outlines_draw(const struct outlines *outlines, struct svg *svg, struct erro
     double height = TOP + (double)down * tall + BOTTOM, scale = HALF / most;
     svg_begin(svg, width, height, outlines->title);
     svg_heading(svg, MARGIN, 30, 17, width - 2 * MARGIN, outlines->title);
-    if (outlines->subtitle != NULL) {
-        svg_words_within(svg, MARGIN, 52, 13, width - 2 * MARGIN, "#444", subtitle);
-    }
+    svg_subheading(svg, MARGIN, 52, 13, width - 2 * MARGIN, subtitle);
     for (size_t i = 0; i < outlines->count; i++) {
         const struct pupil_outline *shape = &outlines->shapes[i];
         const double x = MARGIN + ((double)(i % across) + 0.5) * CELL;

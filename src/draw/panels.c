@@ -180,13 +180,8 @@ static void panels_page_begin(struct panels_page *page)
     panels_page_set_grid(page);
     svg_begin(page->svg, page->total_x, page->total_y, panels->title);
     double room = page->total_x - 2 * MARGIN;
-    svg_text(page->svg,
-             &(struct svg_label){.x = MARGIN, .y = 30, .size = TITLE, .width = room, .bold = true},
-             panels->title);
-    svg_text(
-        page->svg,
-        &(struct svg_label){.x = MARGIN, .y = 52, .size = WORDS, .width = room, .colour = SOFT},
-        panels->subtitle);
+    svg_heading(page->svg, MARGIN, 30, TITLE, room, panels->title);
+    svg_subheading(page->svg, MARGIN, 52, WORDS, room, panels->subtitle);
     lay_legend(page, panels->subtitle != NULL ? 76 : 56, true);
 }
 

@@ -87,7 +87,7 @@ bool pareto_draw(const struct pareto *pareto, struct svg *svg, struct error *err
         at += BAR + 24 + svg_text_width(names[k], 12);
     }
     svg_heading(svg, 20, 30, TITLE_SIZE, WIDTH - 32, pareto->title);
-    svg_words_within(svg, 20, 50, LABEL_SIZE, WIDTH - 32, "#555", pareto->subtitle);
+    svg_subheading(svg, 20, 50, LABEL_SIZE, WIDTH - 32, pareto->subtitle);
     svg_words(svg, (axis.start + WIDTH - RIGHT) / 2, bottom + 44, LABEL_SIZE, SVG_MIDDLE, NULL,
               pareto->x_label);
     svg_end(svg);

@@ -137,7 +137,7 @@ static void plot_draw_words(struct svg *svg, const struct plot *plot,
                                .width = y->start - y->stop + 40,
                                .anchor = SVG_MIDDLE};
     svg_heading(svg, left, 32, TITLE_SIZE, room, plot->title);
-    svg_words_within(svg, left, 52, LABEL_SIZE, room, "#555", plot->subtitle);
+    svg_subheading(svg, left, 52, LABEL_SIZE, room, plot->subtitle);
     svg_text(svg, &below, plot->x_label ? plot->x_label : "");
     svg_text(svg, &beside, plot->y_label ? plot->y_label : "");
 }

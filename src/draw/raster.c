@@ -185,7 +185,7 @@ bool rasters_draw(const struct rasters *rasters, struct svg *svg, struct error *
     const double width = fmax(bar + BAR_ROOM, room + 2 * MARGIN);
     svg_begin(svg, width, TOP + DOWN * (double)rows - 30 + BOTTOM, rasters->title);
     svg_heading(svg, MARGIN, 32, TITLE_SIZE, BOLDER * (width - 2 * MARGIN), above);
-    svg_words_within(svg, MARGIN, 54, SUBTITLE_SIZE, width - 2 * MARGIN, NULL, below);
+    svg_subheading(svg, MARGIN, 54, SUBTITLE_SIZE, width - 2 * MARGIN, below);
     for (size_t i = 0; i < rasters->count; i++) {
         if (!draw_map(&page, i, error)) {
             return false;

@@ -377,11 +377,20 @@ static void draw_page(const struct construction *c)
                              length_words(c, 1 / d->elements[i].power));
     }
     svg_begin(c->svg, WIDTH, HEIGHT, d->title);
-    svg_text(c->svg,
-             &(struct svg_label){
-                 .x = WIDTH / 2, .y = 34, .size = 18, .anchor = SVG_MIDDLE, .bold = true},
-             d->title);
-    svg_words(c->svg, WIDTH / 2, 58, 14, SVG_MIDDLE, GREY, focal);
+    const struct svg_label title = {.x = WIDTH / 2,
+                                    .y = 34,
+                                    .size = 18,
+                                    .width = WIDTH - 40,
+                                    .anchor = SVG_MIDDLE,
+                                    .bold = true};
+    const struct svg_label below = {.x = WIDTH / 2,
+                                    .y = 58,
+                                    .size = 14,
+                                    .width = WIDTH - 40,
+                                    .anchor = SVG_MIDDLE,
+                                    .colour = GREY};
+    svg_title(c->svg, &title, d->title);
+    svg_subtitle(c->svg, &below, focal);
     draw_axis(c);
     draw_rays(c);
     for (size_t i = 0; i < d->count; i++) {

@@ -97,7 +97,7 @@ bool ray_map_draw(const struct ray_map *map, struct svg *svg, struct error *erro
     double bottom = TOP + CELL * (double)map->row_count;
     svg_begin(svg, width, bottom + BOTTOM, map->title);
     svg_heading(svg, 24, 32, 17, width - 48, map->title);
-    svg_words_within(svg, 24, 54, 12, width - 48, NULL, map->subtitle);
+    svg_subheading(svg, 24, 54, 12, width - 48, map->subtitle);
     /* the pupils, each field a column or row, and what stands beside them */
     const struct svg_style rim = {.stroke = "#bbbbbb"};
     for (size_t row = 0; row < map->row_count; row++) {

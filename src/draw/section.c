@@ -325,12 +325,12 @@ static void section_draw_titles(const struct section *section, struct svg *svg)
                               .anchor = SVG_MIDDLE,
                               .width = SECTION_WIDTH - 40,
                               .bold = true};
-    svg_text(svg, &label, section->title);
+    svg_title(svg, &label, section->title);
     label.y = 52;
     label.size = 13;
     label.bold = false;
     label.colour = "#444444";
-    svg_text(svg, &label, section->subtitle);
+    svg_subtitle(svg, &label, section->subtitle);
 }
 
 static void section_draw_view(struct section_page *page, const struct placed_view *placed,

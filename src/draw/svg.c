@@ -9,8 +9,12 @@
 #include "base/arena.h"
 #include "base/number.h"
 #include "base/text.h"
+#include "draw/typeset.h"
 
 static const size_t FIRST_CAPACITY = 16384;
+/* Of one width nearly; the last two have all signs that are written here. */
+static const char FONTS[] =
+    "Helvetica Neue, Helvetica, Arial, Liberation Sans, DejaVu Sans, sans-serif";
 static const double COORDINATE_MAX = 1e6; /* viewers calculate in float */
 
 static void put_bytes(struct svg *svg, const char *start, size_t length)
@@ -71,45 +75,9 @@ static void put_escaped(struct svg *svg, const char *text, size_t length)
     }
 }
 
-/* Width of a character in ems. */
-static double character_width(const char *at)
-{
-    unsigned char byte = (unsigned char)*at;
-    if ((byte & 0xc0) == 0x80) {
-        return 0; /* the rest of a character that is counted already */
-    }
-    if (byte >= 'A' && byte <= 'Z') {
-        return 0.7;
-    }
-    if (strchr(" .,:;'|!()[]ijltfr/", byte)) {
-        return 0.37;
-    }
-    return byte == 'm' || byte == 'w' || byte == '%' || byte >= 0xe2 ? 0.9 : 0.63;
-}
-
 double svg_text_width(const char *text, double size)
 {
-    double width = 0;
-    for (; *text; text++) {
-        width += character_width(text) * size;
-    }
-    return width;
-}
-
-/* How many bytes of `text` fit into `width`, cut between characters. */
-static size_t fitting_length(const char *text, double size, double width)
-{
-    size_t length = 0;
-    for (double used = 0; text[length]; length++) {
-        used += character_width(text + length) * size;
-        if (used > width) {
-            break;
-        }
-    }
-    while (length > 0 && ((unsigned char)text[length] & 0xc0) == 0x80) {
-        length--;
-    }
-    return length;
+    return typeset_width(text, size, false);
 }
 
 static bool svg_all_finite(double a, double b, double c, double d)
@@ -122,12 +90,15 @@ void svg_begin(struct svg *svg, double width, double height, const char *title)
     svg_write(svg,
               "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
               "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"#\" height=\"#\" "
-              "viewBox=\"0 0 # #\" font-family=\"Helvetica, Arial, sans-serif\" fill=\"none\" "
+              "viewBox=\"0 0 # #\" font-family=\"$\" fill=\"none\" "
               "stroke-linejoin=\"round\" stroke-linecap=\"round\">\n<title>",
-              width, height, width, height);
+              width, height, width, height, FONTS);
+    svg->name = (struct svg_slot){.is_there = true, .start = svg->length};
     if (title) {
-        put_escaped(svg, title, strlen(title));
+        const char *set = typeset(svg->arena, title);
+        put_escaped(svg, set, strlen(set));
     }
+    svg->name.end = svg->length;
     svg_put(svg, "</title>\n");
     svg_styled_rect(svg, &(struct svg_style){.fill = "#fff"}, 0, 0, width, height);
 }
@@ -257,6 +228,50 @@ void svg_image(struct svg *svg, double x, double y, double width, double height,
     svg_put(svg, "\"/>\n");
 }
 
+/* Words with what stands in _{ } below the line. */
+static void put_set(struct svg *svg, const char *text, size_t length, double size)
+{
+    while (length > 0) {
+        size_t plain = 0;
+        while (plain < length && strncmp(text + plain, "_{", 2) != 0) {
+            plain++;
+        }
+        put_escaped(svg, text, plain);
+        text += plain;
+        length -= plain;
+        const char *end = length > 2 ? memchr(text, '}', length) : NULL;
+        if (end != NULL) {
+            const double drop = SUBSCRIPT_DROP * size;
+            svg_write(svg, "<tspan dy=\"#\" font-size=\"#\">", drop, SUBSCRIPT_SIZE * size);
+            put_escaped(svg, text + 2, (size_t)(end - text) - 2);
+            svg_write(svg, "</tspan><tspan dy=\"#\">", -drop);
+            length -= (size_t)(end + 1 - text);
+            text = end + 1;
+            put_set(svg, text, length, size);
+            svg_put(svg, "</tspan>");
+            return;
+        }
+        if (length > 0) {
+            put_escaped(svg, text, 2);
+            text += 2;
+            length -= 2;
+        }
+    }
+}
+
+/* Words, cut to the room there is. */
+static void put_fitting(struct svg *svg, const char *text, double size, bool bold, double width)
+{
+    const char *set = typeset(svg->arena, text);
+    if (!(width > 0) || typeset_width(set, size, bold) <= width) {
+        put_set(svg, set, strlen(set), size);
+        return;
+    }
+    const double ellipsis = typeset_width("…", size, bold);
+    put_set(svg, set, typeset_fitting(set, size, bold, width - ellipsis), size);
+    svg_put(svg, "…");
+}
+
 void svg_text(struct svg *svg, const struct svg_label *label, const char *text)
 {
     static const char *const anchors[] = {"", " text-anchor=\"middle\"", " text-anchor=\"end\""};
@@ -270,10 +285,34 @@ void svg_text(struct svg *svg, const struct svg_label *label, const char *text)
         svg_write(svg, " transform=\"rotate(# # #)\"", label->rotation, label->x, label->y);
     }
     svg_put(svg, ">");
-    bool fits = !(label->width > 0) || svg_text_width(text, label->size) <= label->width;
-    double room = label->width - label->size; /* beside the ellipsis */
-    put_escaped(svg, text, fits ? strlen(text) : fitting_length(text, label->size, room));
-    svg_put(svg, fits ? "</text>\n" : "…</text>\n");
+    put_fitting(svg, text, label->size, label->bold, label->width);
+    svg_put(svg, "</text>\n");
+}
+
+/* A text of which is remembered where it stands. */
+static struct svg_slot svg_slot_text(struct svg *svg, const struct svg_label *label,
+                                     const char *text)
+{
+    struct svg_slot slot = {true, 0, 0, label->size, label->width, label->bold};
+    svg_text(svg, label, text != NULL ? text : "");
+    slot.end = svg->length - strlen("</text>\n");
+    slot.start = slot.end;
+    /* what a text holds is escaped: the last '>' before it that ends no part of it */
+    while (strncmp(svg->data + slot.start, "<text ", 6) != 0) {
+        slot.start--;
+    }
+    slot.start += strcspn(svg->data + slot.start, ">") + 1;
+    return slot;
+}
+
+void svg_title(struct svg *svg, const struct svg_label *label, const char *text)
+{
+    svg->title = svg_slot_text(svg, label, text);
+}
+
+void svg_subtitle(struct svg *svg, const struct svg_label *label, const char *text)
+{
+    svg->subtitle = svg_slot_text(svg, label, text);
 }
 
 void svg_words(struct svg *svg, double x, double y, double size, enum svg_anchor anchor,
@@ -302,8 +341,16 @@ void svg_words_upwards(struct svg *svg, double x, double y, double size, const c
 
 void svg_heading(struct svg *svg, double x, double y, double size, double width, const char *text)
 {
-    svg_text(svg, &(struct svg_label){.x = x, .y = y, .size = size, .width = width, .bold = true},
-             text != NULL ? text : "");
+    svg_title(svg, &(struct svg_label){.x = x, .y = y, .size = size, .width = width, .bold = true},
+              text);
+}
+
+void svg_subheading(struct svg *svg, double x, double y, double size, double width,
+                    const char *text)
+{
+    svg_subtitle(
+        svg, &(struct svg_label){.x = x, .y = y, .size = size, .width = width, .colour = "#555"},
+        text);
 }
 
 void svg_styled_line(struct svg *svg, const struct svg_style *style, double x1, double y1,
@@ -363,4 +410,59 @@ bool svg_is_free(const struct svg_box *taken, size_t count, const struct svg_box
                     box->top < taken[i].bottom && taken[i].top < box->bottom);
     }
     return is_free;
+}
+
+/* Copy bytes, colours in the theme's. */
+static void put_in_theme(struct svg *svg, enum palette_theme theme, const char *start,
+                         size_t length)
+{
+    static const char *const attributes[] = {"fill=\"#", "stroke=\"#"};
+    const char *end = start + length, *kept = start;
+    for (const char *at = start; theme != PALETTE_LIGHT && at < end;) {
+        const char *mark = memchr(at, '#', (size_t)(end - at));
+        if (mark == NULL) {
+            break;
+        }
+        at = mark + 1;
+        bool is_colour = false;
+        for (size_t i = 0; i < sizeof attributes / sizeof attributes[0]; i++) {
+            const size_t before = strlen(attributes[i]);
+            is_colour = is_colour || ((size_t)(at - start) >= before &&
+                                      memcmp(at - before, attributes[i], before) == 0);
+        }
+        const size_t digits = strspn(at, "0123456789abcdefABCDEF");
+        char shown[PALETTE_LENGTH];
+        if (is_colour && at + digits < end && at[digits] == '"' &&
+            palette_in_theme(theme, mark, shown)) {
+            put_bytes(svg, kept, (size_t)(mark - kept));
+            svg_put(svg, shown);
+            kept = at + digits;
+        }
+    }
+    put_bytes(svg, kept, (size_t)(end - kept));
+}
+
+struct svg svg_dress(const struct svg *drawing, const struct svg_dress *dress)
+{
+    const struct {
+        const struct svg_slot *slot;
+        const char *text;
+    } words[] = {{&drawing->name, dress->title},
+                 {&drawing->title, dress->title},
+                 {&drawing->subtitle, dress->subtitle}};
+    struct svg dressed = {.arena = drawing->arena};
+    if (dress->theme == PALETTE_LIGHT && dress->title == NULL && dress->subtitle == NULL) {
+        return *drawing;
+    }
+    size_t done = 0;
+    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+        const struct svg_slot *slot = words[i].slot;
+        if (slot->is_there && words[i].text != NULL && slot->start >= done) {
+            put_in_theme(&dressed, dress->theme, drawing->data + done, slot->start - done);
+            put_fitting(&dressed, words[i].text, slot->size, slot->bold, slot->width);
+            done = slot->end;
+        }
+    }
+    put_in_theme(&dressed, dress->theme, drawing->data + done, drawing->length - done);
+    return dressed;
 }

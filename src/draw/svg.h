@@ -4,11 +4,20 @@
 #define LENSCALC_DRAW_SVG_H
 
 #include "base/text.h"
+#include "draw/palette.h"
 
 #include <stdbool.h>
 #include <stddef.h>
 
 struct arena;
+
+/* Where words of a drawing stand, and how: its name, title or subtitle. */
+struct svg_slot {
+    bool is_there;
+    size_t start, end;  /* bytes of data: what is between <text ...> and </text> */
+    double size, width; /* of the font and, if above 0, of the room, px */
+    bool bold;
+};
 
 /*
  * The drawing so far: well-formed after svg_end. Start with { .arena = ... }. All coordinates are
@@ -20,6 +29,7 @@ struct svg {
     struct arena *arena; /* owns data; what it outgrows stays there until the arena is freed */
     char *data;          /* UTF-8, a NUL behind; null before svg_begin */
     size_t length, capacity;
+    struct svg_slot name, title, subtitle; /* what svg_dress may change */
 };
 
 /* How the shapes of a group are drawn; { 0 } draws nothing. */
@@ -72,8 +82,15 @@ void svg_path(struct svg *svg, double x, double y, const char *words);
 /* A picture, the bytes of a PNG file, over a rectangle; its pixels stay squares. */
 void svg_image(struct svg *svg, double x, double y, double width, double height, struct text png);
 
-/* Text in UTF-8, escaped; what XML cannot hold is shown as '?'. Null: nothing is written. */
+/*
+ * Text in UTF-8, escaped, as draw/typeset.h sets it: "_{d}" is a subscript. What XML cannot hold is
+ * shown as '?'. Null: nothing is written.
+ */
 void svg_text(struct svg *svg, const struct svg_label *label, const char *text);
+
+/* The same of the picture's title and subtitle; a null text is an empty one. */
+void svg_title(struct svg *svg, const struct svg_label *label, const char *text);
+void svg_subtitle(struct svg *svg, const struct svg_label *label, const char *text);
 
 /* The same of a label with these alone; a null text is an empty one, a null colour black. */
 void svg_words(struct svg *svg, double x, double y, double size, enum svg_anchor anchor,
@@ -81,9 +98,13 @@ void svg_words(struct svg *svg, double x, double y, double size, enum svg_anchor
 void svg_words_within(struct svg *svg, double x, double y, double size, double width,
                       const char *colour, const char *text);
 
-/* Turned to run upwards about its middle; bold. */
+/* Turned to run upwards about its middle. */
 void svg_words_upwards(struct svg *svg, double x, double y, double size, const char *text);
+
+/* A title in bold from x on, and a grey subtitle, neither wider than `width`. */
 void svg_heading(struct svg *svg, double x, double y, double size, double width, const char *text);
+void svg_subheading(struct svg *svg, double x, double y, double size, double width,
+                    const char *text);
 
 /* One shape that is a group by itself. */
 void svg_styled_line(struct svg *svg, const struct svg_style *style, double x1, double y1,
@@ -106,12 +127,21 @@ struct svg_box {
 };
 bool svg_is_free(const struct svg_box *taken, size_t count, const struct svg_box *box);
 
-/*
- * About how wide a text will be, px.
- *
- * Limits    the viewer chooses the font, so this is a guess on the wide side (as DejaVu Sans);
- *           Helvetica is about a tenth narrower
- */
+/* How wide a text will be at most, px, by typeset_width; of the first, set as svg_text sets it. */
 double svg_text_width(const char *text, double size);
+
+/* What a user wants otherwise of any picture. */
+struct svg_dress {
+    enum palette_theme theme;
+    const char *title, *subtitle; /* null: its own */
+};
+
+/*
+ * A finished drawing in another dress: the colours of its theme, see palette_in_theme, and other
+ * words for title and subtitle, cut where its own would be.
+ *
+ * Result    a drawing in the arena of the first, which it is where nothing changes
+ */
+struct svg svg_dress(const struct svg *drawing, const struct svg_dress *dress);
 
 #endif

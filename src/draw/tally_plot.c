@@ -129,7 +129,7 @@ bool tally_plot_draw(const struct tally_plot *plot, struct svg *svg, struct erro
         tally_plot_draw_mark(plot, which, &across, svg);
     }
     svg_heading(svg, 20, 30, TITLE_SIZE, WIDTH - 32, plot->title);
-    svg_words_within(svg, 20, 52, LABEL_SIZE, WIDTH - 32, "#555", plot->subtitle);
+    svg_subheading(svg, 20, 52, LABEL_SIZE, WIDTH - 32, plot->subtitle);
     svg_words(svg, (LEFT + WIDTH - RIGHT) / 2, BOTTOM + 48, LABEL_SIZE, SVG_MIDDLE, NULL,
               plot->x_label);
     svg_words_upwards(svg, 22, (TOP + BOTTOM) / 2, LABEL_SIZE, plot->y_label);

@@ -484,7 +484,7 @@ bool wedge_draw(const struct wedge *wedge, struct svg *svg, struct error *error)
     svg_begin(svg, WEDGE_WIDTH, WEDGE_HEIGHT, wedge->title);
     double width = WEDGE_WIDTH - 2 * MARGIN;
     svg_heading(svg, MARGIN, 36, 18, width, wedge->title);
-    svg_words_within(svg, MARGIN, 60, 13, width, "#555", wedge->subtitle);
+    svg_subheading(svg, MARGIN, 60, 13, width, wedge->subtitle);
     wedge_draw_close_view(svg, &camera, wedge);
     svg_clip_begin(svg, view.left, view.top, view.right - view.left, view.bottom - view.top);
     /* what is sharp */

@@ -251,15 +251,38 @@ def try_table(asked):
     return result.returncode == 0 and result.stdout != asked.swept().stdout
 
 
+def plotted(asked, *more):
+    """A plot of an answer with several values, where the command wants that."""
+    pair = asked.pair if asked.command not in ("tolerance", "bench") else None  # draw one answer
+    return (asked.run("--plot", "plot.svg", *more) if pair is None else
+            asked.run("--plot", "plot.svg", *more, question=asked.without(pair[0]) +
+                      ["-" * (1 + (len(pair[0]) > 1)) + pair[0] + "=" + pair[1]]))
+
+
 def try_plot(asked):
     path = os.path.join(asked.folder, "plot.svg")
-    pair = asked.pair if asked.command not in ("tolerance", "bench") else None  # draw one answer
-    result = (asked.run("--plot", "plot.svg") if pair is None else
-              asked.run("--plot", "plot.svg", question=asked.without(pair[0]) +
-                        ["-" * (1 + (len(pair[0]) > 1)) + pair[0] + "=" + pair[1]]))
+    result = plotted(asked)
     with open(path if os.path.exists(path) else os.devnull, "rb") as file:
         written = file.read().startswith(b"<?xml")
     return result.returncode == 0 and written
+
+
+def try_drawing(option, value, wanted):
+    """It needs a drawing, and changes that."""
+    def attempt(asked):
+        alone = asked.run(option, value)
+        if asked.command == "draw":
+            return wanted in alone.stdout
+        if alone.returncode != 2 or f"{option} needs --".encode() not in alone.stderr:
+            return False
+        path = os.path.join(asked.folder, "plot.svg")
+        if asked.command == "tone":
+            asked.run("--response", "debevec", "--curves", "plot.svg", option, value)
+        else:
+            plotted(asked, option, value)
+        with open(path if os.path.exists(path) else os.devnull, "rb") as file:
+            return wanted in file.read()
+    return attempt
 
 
 def try_units(asked):
@@ -417,6 +440,9 @@ TRIES = {
     "--format": try_format, "--columns": try_columns, "--digits": try_digits,
     "--value": try_value, "--no-header": try_no_header,
     "--units": try_units, "--table": try_table, "--plot": try_plot,
+    "--theme": try_drawing("--theme", "dark", b'fill="#17191d"'),
+    "--title": try_drawing("--title", "Of <mine>", b">Of &lt;mine&gt;</text>"),
+    "--subtitle": try_drawing("--subtitle", "5 um", ">5 µm</text>".encode()),
     "--explain": try_explain, "--nominal": try_short("nominal"), "--batch": try_batch,
     "--batch-format": try_batch_format, "--fail-fast": try_fail_fast, "--force": try_force,
     "--output": try_output, "--lensdb": try_lensdb, "--agf": try_agf, "--lossy": try_lossy,

@@ -45,14 +45,14 @@ int main(void)
     points[7].y = 0;
     const struct front front = {.title = "A lens",
                                 .subtitle = "rays",
-                                .x_label = "time (us)",
+                                .x_label = "time (µs)",
                                 .y_label = "error (um)",
                                 .points = points,
                                 .count = COUNT,
                                 .groups = groups,
                                 .group_count = 2};
     CHECK(front_draw(&front, &svg, &error));
-    CHECK(strstr(svg.data, "A lens") != NULL && strstr(svg.data, "time (us)") != NULL);
+    CHECK(strstr(svg.data, "A lens") != NULL && strstr(svg.data, "time (µs)") != NULL);
     CHECK(strstr(svg.data, ">L05<") == NULL && strstr(svg.data, ">L07<") == NULL);
     struct svg_box boxes[COUNT];
     const size_t count = label_boxes(svg.data, boxes);

@@ -23,6 +23,14 @@ static const struct word *batch_format_word(size_t i)
     return i < sizeof words / sizeof words[0] ? words[i] : NULL;
 }
 
+/* By enum palette_theme. */
+static const struct word theme_words[] = {
+    {"light", "dark lines on a white page"},
+    {"dark", "light lines on a dark page"},
+    {"print", "for paper, and distinct without colours, too"},
+    {NULL, NULL},
+};
+
 #define COMMON(member_name) OPTION(struct common, member_name)
 
 /* By enum glass_numbers. */
@@ -62,6 +70,12 @@ const struct option common_options[] = {
      .help = "cross-table of two swept options; VALUE is a column, or two as near_m+far_m"},
     {COMMON(plot), .name = "plot", .value = "FILE", .flags = OPTION_FILE, .types = drawing_types,
      .help = "draw the results against the swept option"},
+    {COMMON(theme), .name = "theme", .value = "THEME", .flags = OPTION_ASIDE, .words = theme_words,
+     .fallback = "light", .help = "colours of drawings"},
+    {COMMON(title), .name = "title", .value = "TEXT", .flags = OPTION_ASIDE | OPTION_EMPTY,
+     .help = "title of the drawing in place of its own; an empty one leaves it out"},
+    {COMMON(subtitle), .name = "subtitle", .value = "TEXT", .flags = OPTION_ASIDE | OPTION_EMPTY,
+     .help = "subtitle of the drawing in place of its own"},
     {COMMON(explain), .name = "explain", .flags = OPTION_ASIDE,
      .help = "print formulas, with the numbers substituted, and sources"},
     {COMMON(nominal), .name = "nominal",
@@ -177,6 +191,21 @@ static bool has_curves(const struct command *command)
            command->makes_many != command_always_many;
 }
 
+bool option_draws(const struct option *option)
+{
+    return option->types != NULL && strcmp(option->types(0)->ending, ".svg") == 0;
+}
+
+/* Does it make drawings of any kind? */
+static bool has_drawings(const struct command *command)
+{
+    bool found = has_curves(command);
+    for (size_t i = 0; i < command->artifact_count && !found; i++) {
+        found = option_draws(&command->artifacts[i].option);
+    }
+    return found;
+}
+
 static bool is_in_metres(const struct dimension *dimension, const char *unit)
 {
     return dimension == &dimension_length && unit != NULL && strcmp(unit, "m") == 0;
@@ -272,6 +301,9 @@ static const struct {
     {"units", has_distances, "prints no distances in metres", 0},
     {"table", takes_two, "has no value for each pair of two swept options", 0},
     {"plot", has_curves, "has no value for each value of a swept option", 0},
+    {"theme", has_drawings, "draws nothing", 0},
+    {"title", has_drawings, "draws nothing", 0},
+    {"subtitle", has_drawings, "draws nothing", 0},
     {"explain", has_formulas, "has no formulas to show", 0},
     {"nominal", has_series, "takes no f-number, time or ISO", 0},
     {"batch", takes_many, "reads no rows", 0},

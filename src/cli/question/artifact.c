@@ -25,9 +25,9 @@ const struct file_type *drawing_types(size_t i)
 bool drawing_write(const struct artifact_job *job, const struct svg *drawing, struct output *sink,
                    struct error *error)
 {
-    (void)job; /* the one type there is */
+    const struct svg dressed = svg_dress(drawing, &job->dress);
     (void)error;
-    output_text(sink, drawing->data, drawing->length);
+    output_text(sink, dressed.data, dressed.length);
     return true;
 }
 
@@ -202,6 +202,8 @@ static bool artifact_order(struct artifacts *artifacts, const struct artifact_se
     }
     job.asking = setting->asking;
     job.is_forced = setting->common->force;
+    job.dress = (struct svg_dress){(enum palette_theme)setting->common->theme,
+                                   setting->common->title, setting->common->subtitle};
     job.run = setting->run;
     if (!job_choose_type(&job, setting->arena, error)) {
         return false;

@@ -51,8 +51,9 @@ struct artifact_job {
     const struct file_type *type; /* of artifact->option.types; null if it has none */
     const void *const *inputs;    /* as the options set them; of one answer inputs[0] alone */
     size_t count;
-    size_t first, files; /* of its sinks, and how many it has: one, or one each */
-    bool is_forced;      /* what is kept is written over */
+    size_t first, files;    /* of its sinks, and how many it has: one, or one each */
+    bool is_forced;         /* what is kept is written over */
+    struct svg_dress dress; /* of what is drawn */
     const struct option_query *asking;
     struct run *run;     /* arena, database, and `state` as the command's `run` left it */
     const void *context; /* the driver's own */

@@ -175,8 +175,10 @@ struct common {
     bool usage, help;
     const char *columns, *value, *output, *lensdb, *agf, *batch, *table, *plot, *kit;
     int format, batch_format, units, color;
-    int glass_numbers; /* enum glass_numbers */
-    int stop_size;     /* enum stop_size */
+    int glass_numbers;            /* enum glass_numbers */
+    int stop_size;                /* enum stop_size */
+    int theme;                    /* enum palette_theme */
+    const char *title, *subtitle; /* of pictures; null: their own */
     long digits;
 };
 
@@ -194,6 +196,9 @@ const struct option *command_next_common(const struct command *command,
 
 /* "prints no rows": why a common option would do nothing; null: it does something. */
 const char *command_has_no_use(const struct command *command, const struct option *common);
+
+/* Is it of a drawing, as the first of its types says, whose words --title changes? */
+bool option_draws(const struct option *option);
 
 /* Does it take the defaults of the user's configuration? A tool does not, nor what asks again. */
 bool command_has_defaults(const struct command *command);

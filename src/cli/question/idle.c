@@ -193,6 +193,27 @@ void idle_yield(struct arguments *arguments, const struct option_query *asking)
     }
 }
 
+/* Common options that say how drawings look. */
+static const char dressing[] = "theme title subtitle";
+
+/* Is a drawing asked for? If not, the options that ask for one are put into words. */
+static bool draws_any(const struct idle *idle, char *words, size_t size)
+{
+    const struct command *command = idle->arguments->command;
+    size_t length = 0;
+    bool draws = command->run == NULL && option_draws(&command->artifacts[0].option);
+    for (size_t i = 0; i < idle->arguments->count && !draws; i++) {
+        const struct option *option = idle->arguments->all[i].option;
+        if (option_draws(option)) {
+            draws = idle->arguments->all[i].is_given;
+            const int printed = snprintf(words + length, size - length, "%s--%s",
+                                         length > 0 ? " or " : "", option->name);
+            length += printed > 0 && (size_t)printed < size - length ? (size_t)printed : 0;
+        }
+    }
+    return draws;
+}
+
 static bool check_option(const struct idle *idle, const struct option *option, struct error *error)
 {
     char words[120] = "";
@@ -208,6 +229,9 @@ static bool check_option(const struct idle *idle, const struct option *option, s
     const char *stop = idle->arguments->command->stop_size_wants;
     if (strcmp(option->name, "stop-size") == 0 && stop != NULL &&
         !has_wanted(idle, stop, words, sizeof words)) {
+        return fail(error, ERROR_USAGE, "{--%s} needs %s", option->name, words);
+    }
+    if (text_lists(dressing, text_of(option->name)) && !draws_any(idle, words, sizeof words)) {
         return fail(error, ERROR_USAGE, "{--%s} needs %s", option->name, words);
     }
     if (option->serves != NULL && !serves_any(idle, option)) {
