@@ -299,7 +299,11 @@ static bool read_choice(const struct reader *reader, const struct option *option
     for (size_t i = 0; option_word(option, i) != NULL; i++) {
         choice_offer(&choice, option_word(option, i)->word);
     }
-    return choice_refuse(&choice, error) || error_prefix(error, "%s ", CALLED(option));
+    choice_refuse(&choice, error);
+    if (option->no_number != NULL && error->hint[0] == '\0') {
+        error_hint(error, "%s", option->no_number);
+    }
+    return error_prefix(error, "%s ", CALLED(option));
 }
 
 static bool read_flag(const struct reader *reader, const struct option *option, struct text text,

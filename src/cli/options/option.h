@@ -396,7 +396,8 @@ struct option {
     const char *unusual;               /* in which words: "no lens in air is faster than f/0.5" */
     const char *most;      /* of a count: a word for its highest value, "many"; null = none */
     const char *outside;   /* said of values out of range, what has an answer to them; or null */
-    const char *no_number; /* said to who types a word for the number; null = nothing */
+    const char *no_number; /* said to who types another thing than its number, or than one of its
+                              words; null = nothing */
     unsigned flags;
     /* It says something only beside a value of a circle of confusion for which this holds. */
     bool (*serves)(const struct coc_value *coc);

@@ -3,6 +3,7 @@
 #include "cli/question/arguments.h"
 
 #include "cli/question/operands.h"
+#include "cli/question/operands_telescope.h"
 #include "cli/question/trade_names.h"
 
 #include <string.h>
@@ -53,12 +54,15 @@ enum argument_rank argument_rank(const struct argument *argument)
 
 /* The argument that such a name stands for; null where the command has no such option. */
 static struct argument *named_by(const struct arguments *arguments, struct text name,
-                                 const struct trade_name *all)
+                                 const struct trade_name *all, const struct trade_name **entry)
 {
     for (size_t i = 0; all[i].names != NULL; i++) {
-        if (text_lists_name(all[i].names, name)) {
+        const bool is_here =
+            all[i].command == NULL || strcmp(all[i].command, arguments->command->name) == 0;
+        if (is_here && text_lists_name(all[i].names, name)) {
             for (size_t j = 0; j < arguments->count; j++) {
                 if (strcmp(arguments->all[j].option->name, all[i].option) == 0) {
+                    *entry = &all[i];
                     return &arguments->all[j];
                 }
             }
@@ -68,12 +72,15 @@ static struct argument *named_by(const struct arguments *arguments, struct text 
 }
 
 /* The option of this command that may be meant, or whose column has this name; or null. */
-static const struct option *meant_by(const struct arguments *arguments, struct text name)
+static const struct option *meant_by(const struct arguments *arguments, struct text name,
+                                     const char **words)
 {
-    const struct argument *hinted = named_by(arguments, name, trade_hints);
+    const struct trade_name *entry = NULL;
+    const struct argument *hinted = named_by(arguments, name, trade_hints, &entry);
+    *words = entry != NULL ? entry->words : NULL;
     for (size_t i = 0; i < arguments->count; i++) {
         const struct option *own = arguments->all[i].option;
-        if (own->column != NULL && text_same_name(name, text_of(own->column))) {
+        if (*words == NULL && own->column != NULL && text_same_name(name, text_of(own->column))) {
             return own;
         }
     }
@@ -102,7 +109,11 @@ static bool arguments_unknown(const struct arguments *arguments, struct text nam
         nearest_offer(&nearest, text_of(arguments->all[i].option->name));
     }
     fail(error, ERROR_USAGE, "unknown option '%s%.*s'", dashes, text_shown(name), name.start);
-    const struct option *meant = meant_by(arguments, name);
+    const char *words;
+    const struct option *meant = meant_by(arguments, name, &words);
+    if (words != NULL) {
+        return error_hint(error, "%s", words);
+    }
     if (meant != NULL) {
         return error_hint(error, "here it is '--%s': %s", meant->name, meant->help);
     }
@@ -196,8 +207,9 @@ static bool parse_long(struct arguments *arguments, struct text word, struct wor
     struct text value = word;
     struct text name = text_cut(&value, '=');
     struct argument *argument = arguments_find(arguments, name);
+    const struct trade_name *alias;
     if (argument == NULL) {
-        argument = named_by(arguments, name, trade_aliases);
+        argument = named_by(arguments, name, trade_aliases, &alias);
     }
     if (argument == NULL) {
         return arguments_unknown(arguments, name, "--", error);
@@ -215,6 +227,10 @@ static bool parse_short(struct arguments *arguments, struct text word, struct wo
             if (arguments->all[i].option->letter == word.start[0] && word.start[0] != '\0') {
                 argument = &arguments->all[i];
             }
+        }
+        if (argument == NULL) {
+            const struct trade_name *alias;
+            argument = named_by(arguments, (struct text){word.start, 1}, trade_aliases, &alias);
         }
         if (argument == NULL) {
             return arguments_unknown(arguments, word, "-", error);
@@ -373,6 +389,7 @@ static bool parse_operand(struct arguments *arguments, struct text word, struct 
 bool arguments_settle(struct arguments *arguments, struct arena *arena, struct error *error)
 {
     const size_t count = arguments->operand_count;
+    telescope_move_aperture(arguments);
     if (count == 0) {
         return true;
     }
@@ -381,7 +398,8 @@ bool arguments_settle(struct arguments *arguments, struct arena *arena, struct e
                            arguments_given(arguments, "focal-length") ||
                            arguments_given(arguments, "lens");
     if (!operands_settle(arguments->command, arguments->operands, count, has_focal, options,
-                         error)) {
+                         error) ||
+        !operands_tell_telescope(arguments, arguments->operands, count, options, error)) {
         return false;
     }
     for (size_t i = 0; i < count; i++) {

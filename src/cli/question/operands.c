@@ -11,12 +11,13 @@
 static const struct {
     const char *option, *example;
 } operand_options[] = {
-    {"focal-length", "50mm"}, {"aperture", "f/2.8"}, {"distance", "3m"},
-    {"time", "1/125"},        {"iso", "iso400"},     {"ev", "EV12"},
+    {"focal-length", "50mm"}, {TELESCOPE, "1200mm"}, {"aperture", "f/2.8"}, {"distance", "3m"},
+    {DIAMETER, "200mm"},      {"time", "1/125"},     {"iso", "iso400"},     {"ev", "EV12"},
 };
 enum {
     OPERAND_FOCAL,
-    OPERAND_DISTANCE = 2,
+    OPERAND_DISTANCE = 3,
+    OPERAND_DIAMETER,
     OPERAND_OPTIONS = sizeof operand_options / sizeof operand_options[0]
 };
 
@@ -45,7 +46,8 @@ static bool command_has_operands(const struct command *command)
 static const struct option *operand_option(const struct command *command, size_t i)
 {
     const char *name = operand_options[i].option;
-    if (command_has_operands(command) && i != OPERAND_FOCAL) {
+    const bool is_telescope = operand_named(command, TELESCOPE) != NULL;
+    if (command_has_operands(command) && i != OPERAND_FOCAL && !is_telescope) {
         return NULL;
     }
     /* the plans of time lapses and brackets have times of several kinds, and neither of these */
@@ -124,13 +126,34 @@ static bool operand_is_of(struct text word, const struct option *option)
     return found;
 }
 
+/* A pinhole: no film lies so near behind one, and no subject in front of it. */
+static bool operand_is_hole(const struct command *command, struct text word)
+{
+    static const double WIDEST = 3; /* mm */
+    const struct option *diameter = operand_named(command, DIAMETER);
+    struct text first = text_cut(&word, ',');
+    struct error ignored;
+    double length;
+    first = text_cut_range(&first);
+    return diameter != NULL && operand_named(command, TELESCOPE) == NULL &&
+           quantity_read(first, &dimension_length, option_unit(diameter), &length, NULL,
+                         &ignored) &&
+           length < WIDEST;
+}
+
 /* The first option of which values are written so, of those that are left; else their count. */
 static size_t operand_find(const struct command *command, struct text word, const bool *is_taken)
 {
+    const bool is_telescope = operand_named(command, TELESCOPE) != NULL;
+    const bool is_hole = operand_is_hole(command, word);
     size_t i = 0;
     for (; i < OPERAND_OPTIONS; i++) {
         const struct option *option = operand_option(command, i);
-        if (option != NULL && !is_taken[i] && operand_is_of(word, option)) {
+        const bool is_diameter = i == OPERAND_DIAMETER;
+        const bool is_length = is_diameter || i == OPERAND_FOCAL || i == OPERAND_DISTANCE;
+        /* of an option that the command has, and whose values are like it in size */
+        const bool is_apt = !is_length || is_telescope || is_hole == is_diameter;
+        if (option != NULL && is_apt && !is_taken[i] && operand_is_of(word, option)) {
             break;
         }
     }

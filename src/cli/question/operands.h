@@ -5,6 +5,10 @@
 
 #include "cli/question/command.h"
 
+/* The lengths of a telescope. */
+#define TELESCOPE "telescope"
+#define DIAMETER  "diameter"
+
 /*
  * A value that shows by its notation what it is, as 50mm, f/2.8, 1/125 and iso400 do; of a command
  * with operands of its own a focal length alone.

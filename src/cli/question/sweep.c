@@ -2,6 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "cli/question/sweep.h"
 
+#include "cli/question/comma.h"
+
 #include "cli/options/nominal.h"
 
 #include <float.h>
@@ -449,6 +451,9 @@ static bool set_values(struct sweep *sweep, struct sweep_values *values, struct 
     const char separator = many ? OPTION_MANY_SEPARATOR : ',';
     const bool is_one = !values->option->kind->is_list && !many;
     values->shared = is_one ? NULL : shared_unit(values->option, text);
+    if (!comma_check(values->reader, values->option, text, error)) {
+        return false;
+    }
     do {
         struct text item = is_one ? text : text_trim(text_cut(&rest, separator));
         if (item.length == 0 && !is_one) {

@@ -6,6 +6,8 @@
 /* Names for text_lists_name, and the option that they stand for where a command has it. */
 struct trade_name {
     const char *names, *option;
+    const char *command; /* the one where they mean it; null: any */
+    const char *words;   /* of a hint: what is said in place of the option's help; or null */
 };
 
 /* Those that mean the same quantity in whichever command the option is: they are taken for it.

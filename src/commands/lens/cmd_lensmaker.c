@@ -12,6 +12,7 @@
 
 struct lensmaker_input {
     struct lensmaker lens;
+    double medium; /* index on both sides; NaN = not given */
     bool ball;
     int solution;
 };
@@ -49,6 +50,9 @@ static const struct option options[] = {
      .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .help = "index of the medium in front"},
     {INDEX(n1), .name = "after", .column = "index_after", .fallback = "1",
      .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .help = "index of the medium behind"},
+    {MEASURE(medium, number, NULL, "INDEX"), OPTION_POSITIVE, .name = "medium",
+     .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .excludes = "before after",
+     .help = "index of the medium on both sides: 1.333 under water"},
     {ASKED(ball), .name = "ball", .help = "a ball lens of diameter --thickness"},
     {ASKED(solution), REPEATED("solution"), .words = solutions, .fallback = "first",
      .value = "WHICH", .help = "which solution, where there are two"},
@@ -108,10 +112,12 @@ static const struct column columns[] = {
     {SHOWN(solutions), .name = "solutions",
      .help = "how many lenses answer the question: see --solution"},
     {SHOWN(solution), .name = "solution", WITH("solution"), .help = "which of them this is"},
-    {SHOWN(lens.n0), .name = "index_before", .symbol = "n0", ASSUMED_BY("before") | COLUMN_ECHO,
-     .label = "index before", .help = "index of the medium in front of the lens"},
-    {SHOWN(lens.n1), .name = "index_after", .symbol = "n1", ASSUMED_BY("after") | COLUMN_ECHO,
-     .label = "index after", .help = "index of the medium behind the lens"},
+    {SHOWN(lens.n0), .name = "index_before", .symbol = "n0",
+     ASSUMED_BY("before medium") | COLUMN_ECHO, .label = "index before",
+     .help = "index of the medium in front of the lens"},
+    {SHOWN(lens.n1), .name = "index_after", .symbol = "n1",
+     ASSUMED_BY("after medium") | COLUMN_ECHO, .label = "index after",
+     .help = "index of the medium behind the lens"},
 };
 
 static bool lensmaker_row_solve(const struct lensmaker_input *input, struct lensmaker *lens,
@@ -119,6 +125,9 @@ static bool lensmaker_row_solve(const struct lensmaker_input *input, struct lens
 {
     struct lensmaker_choice choice = {.second = input->solution != 0};
     *lens = input->lens;
+    if (!isnan(input->medium)) {
+        lens->n0 = lens->n1 = input->medium;
+    }
     bool done = input->ball ? lensmaker_solve_ball(lens, &choice, error)
                             : lensmaker_solve(lens, &choice, error);
     *count = choice.count;
@@ -216,7 +225,7 @@ static const struct example examples[] = {
     {"lensmaker --r1 50 --r2 -50 -n 1.5168 -d 5mm", "a biconvex lens"},
     {"lensmaker -f 100mm --shape 1 -n 1.5168", "the radii of a plano-convex lens"},
     {"lensmaker -f 100mm --shape -1..1:0.5 -n 1.5168 -d 8", "bending"},
-    {"lensmaker --r1 50 --r2 -50 -n 1.5168 --before 1.333 --after 1.333", "under water"},
+    {"lensmaker --r1 50 --r2 -50 -n 1.5168 --medium 1.333", "under water"},
     {"lensmaker --ball -d 10mm -n 1.5168", "a ball lens"},
     {"lensmaker --r1 60 --r2 40 -n 1.5 -f inf", "how thick an afocal lens must be"},
     {"lensmaker -f 100 --r1 60 -n 1.5168 -d 6 --lens-file single.lens", "a prescription"},

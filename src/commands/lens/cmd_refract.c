@@ -41,7 +41,7 @@ static const struct option options[] = {
      .help = "radius, + with the centre to the right; without it a plane, or solved for"},
     {PLACE(object), .name = "object", .letter = 'z', .column = "object", .flags = OPTION_SETTING,
      .help = "object point on the axis from the vertex, + to the right: -200mm is in front of it; "
-             "default inf"},
+             "default inf. Without --radius its sign says nothing: it is in front"},
     {PLACE(image), .name = "image", .column = "image", .flags = OPTION_GOAL,
      .help = "wanted Gaussian image, + to the right: solves for what is not given"},
     {PLACE(aim.height), .name = "height", .letter = 'y', .column = "height",
@@ -241,11 +241,21 @@ static bool refract_row_solve(const struct refract_aim *aim, struct refract_row 
            refract_through(s, &row->ray, error);
 }
 
-/* What is not said: air before, a plane, an object at infinity; never what is asked for. */
-static void refract_assume(struct refract_surface *s, bool has_angle)
+/*
+ * What is not said: air before, a plane, an object at infinity; never what is asked for. Who names
+ * no radius has a plane, and an object in front of it by its bare distance.
+ */
+static void refract_assume(struct refract_surface *s, bool has_angle, struct warnings *doubts)
 {
     if (isnan(s->R) && isnan(s->z_image)) {
         s->R = INFINITY;
+        if (s->z > 0 && isfinite(s->z)) {
+            s->z = -s->z;
+            warnings_add(doubts,
+                         "without --radius the object is taken %.6g mm in front of the plane, as "
+                         "--object -%.6gmm says; with --radius inf signs count as they are typed",
+                         -s->z, -s->z);
+        }
     }
     const bool after = s->mirror || !isnan(s->n_after);
     const int unknown = !after + isnan(s->R) + isnan(s->z) + isnan(s->z_image);
@@ -276,7 +286,7 @@ static bool refract_run(const void *data, struct run *run, struct error *error)
     if (alone) {
         aim.height = 0;
     }
-    refract_assume(s, !isnan(aim.angle));
+    refract_assume(s, !isnan(aim.angle), run->doubts);
     if (!isnan(input->refracted) &&
         !refract_index_of(s->n, aim.angle, input->refracted, &s->n_after, error)) {
         return false;

@@ -109,6 +109,53 @@ bool ideal_lens_accepts(const char *then, struct error *error)
     return then_read(then, elements, &count, error);
 }
 
+/* Focal lengths with the gaps between them, of which the first stands in front of nothing. */
+static bool lenses_read(const char *lenses, struct ideal_element *elements, size_t *count,
+                        struct error *error)
+{
+    const struct unit *millimetre = &dimension_length.units[0];
+    struct text rest = text_of(lenses);
+    double gap = 0;
+    *count = 0;
+    for (bool is_gap = false; rest.start != NULL; is_gap = !is_gap) {
+        const struct text item = text_trim(text_cut(&rest, ','));
+        double length;
+        if (!quantity_read(item, &dimension_length, millimetre, &length, NULL, error)) {
+            return false;
+        }
+        if (is_gap && !(length >= 0 && isfinite(length))) {
+            return fail(error, ERROR_USAGE, "the gap %.*s is out of range: it must be 0 or more",
+                        text_shown(item), item.start);
+        }
+        if (is_gap) {
+            gap = length;
+            continue;
+        }
+        if (length == 0 || !isfinite(length)) {
+            return fail(error, ERROR_USAGE, "'%.*s' is no lens: a focal length is finite and not 0",
+                        text_shown(item), item.start);
+        }
+        if (*count == MOST_THEN) {
+            return fail(error, ERROR_USAGE, "more than %d lenses", MOST_THEN);
+        }
+        elements[(*count)++] = (struct ideal_element){gap, length};
+        gap = NAN;
+    }
+    if (!isnan(gap)) {
+        fail(error, ERROR_USAGE, "no lens behind the last gap");
+        return error_hint(error, "lenses and the gaps between them in turn: 25cm,16.5cm,25cm; "
+                                 "lenses that touch have the gap 0");
+    }
+    return true;
+}
+
+bool ideal_lenses_accept(const char *lenses, struct error *error)
+{
+    struct ideal_element elements[MOST_THEN];
+    size_t count;
+    return lenses_read(lenses, elements, &count, error);
+}
+
 /* -------- the lens -------- */
 
 /* The power of a mirror by its kind, whose numbers may be sizes. */
@@ -208,9 +255,16 @@ bool ideal_lens_make(const struct ideal_question *question, const struct thin_le
     struct pair power;
     struct lens_build build;
     struct lens *made = ARENA_NEW(arena, struct lens);
-    if (!ideal_power(question, &power, error) ||
-        (isnan(power.hi) && !ideal_find_power(question, given, &power, error)) ||
-        (question->then != NULL && !then_read(question->then, elements, &count, error))) {
+    if (question->lenses != NULL) {
+        if (!lenses_read(question->lenses, elements, &count, error)) {
+            return false;
+        }
+        power = pair_divide(pair_of(1), pair_of(elements[0].focal));
+        count--;
+        memmove(elements, elements + 1, count * sizeof *elements);
+    } else if (!ideal_power(question, &power, error) ||
+               (isnan(power.hi) && !ideal_find_power(question, given, &power, error)) ||
+               (question->then != NULL && !then_read(question->then, elements, &count, error))) {
         return false;
     }
     lens_build_begin(&build, made, arena);

@@ -19,11 +19,15 @@ struct ideal_question {
     double power;  /* 1/mm, in its place */
     double radius; /* of a mirror, mm; a size */
     const char *then;
+    const char *lenses; /* focal lengths and gaps in turn, in place of the focal length and `then` */
     int mirror; /* enum ideal_mirror */
 };
 
 /* Is a list of lenses as --then takes it: "gap 14cm, f -9.5cm"? For option.accepts. */
 bool ideal_lens_accepts(const char *then, struct error *error);
+
+/* Is a list as --lenses takes it: "25cm,16.5cm,25cm", lens, gap, lens? For option.accepts. */
+bool ideal_lenses_accept(const char *lenses, struct error *error);
 
 /*
  * The lens that is asked for: ideal thin lenses, in air, or a mirror in its vertex.

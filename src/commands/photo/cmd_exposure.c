@@ -104,8 +104,8 @@ static const struct column columns[] = {
     {STOPS(longer), .name = "longer", BRIEF_WITH("propose"), .symbol = "dt",
      .label = "longer (+) or shorter (-) than wanted",
      .help = "the time with these filters over the wanted one, in stops"},
-    {TIME(metered), .name = "metered", ECHO_WITH("metered") | COLUMN_BRIEF, .symbol = "tm",
-     .label = "metered time", .help = "as metered without filter"},
+    {TIME(metered), .name = "metered", ECHO_WITH("metered filter") | COLUMN_BRIEF | COLUMN_SPARSE,
+     .symbol = "tm", .label = "metered time", .help = "as metered without filter"},
     {SHOWN(x.N), .name = "fnumber", BRIEF | COLUMN_ECHO | COLUMN_SPARSE, .symbol = "N",
      .label = "f-number", .help = "f-number"},
     COLUMN_NOMINAL_FNUMBER(nominal_fnumber),
@@ -122,8 +122,9 @@ static const struct column columns[] = {
      .label = "time on this film", .help = "time corrected for reciprocity failure"},
     {STOPS(reciprocity_stops), .name = "reciprocity", WITH("film"), .label = "reciprocity failure",
      .help = "corrected over metered time, in stops"},
-    {TIME(time_to_set), .name = "time_to_set", BRIEF_WITH("metered"), .symbol = "ts",
-     .label = "time to set", .help = "through the filter, and corrected for the --film"},
+    {TIME(time_to_set), .name = "time_to_set", BRIEF_WITH("metered filter") | COLUMN_SPARSE,
+     .symbol = "ts", .label = "time to set",
+     .help = "through the filter, and corrected for the --film"},
     {SHOWN(timer), .name = "timer", WITH("metered") | COLUMN_HIDDEN,
      .help = "time to set in words: 2 min 30 s"},
     {SHOWN(x.S), .name = "iso", BRIEF | COLUMN_ECHO | COLUMN_SPARSE, .symbol = "S",
@@ -283,6 +284,23 @@ static bool shows_labels(const struct run *run)
            run_shows(run, offsetof(struct exposure_row, residual));
 }
 
+/* A time and what takes light of it, and no f-number, speed or light: it was metered without. */
+static void exposure_take_metered(struct exposure_input *own, struct run *run)
+{
+    const struct exposure_given *g = &own->given;
+    const bool has_light = !isnan(g->ev100) || !isnan(g->ev) || !isnan(g->L) || !isnan(g->E) ||
+                           own->scene.name != NULL;
+    if (own->filter.name == NULL || isnan(g->t) || !isnan(g->N) || !isnan(g->S) || has_light ||
+        !isnan(own->metered) || !isnan(own->corrected_time) || !isnan(own->t_stop) ||
+        own->equivalent || own->focal_plane) {
+        return;
+    }
+    own->metered = g->t;
+    own->given.t = NAN;
+    warnings_add(run->doubts,
+                 "beside --filter alone --time is taken as metered without it: --metered has that");
+}
+
 /* Answer one question, its lens and light taken. */
 static bool exposure_fill_row(const struct exposure_input *input, const struct photo_lens *lens,
                               const struct by_rays_row *rays, struct run *run,
@@ -360,6 +378,9 @@ static bool exposure_row_answer(const void *data, const struct photo_lens *lens,
         return false;
     }
     own.lens.pupil = lens->P;
+    if (!input->propose) {
+        exposure_take_metered(&own, run);
+    }
     if (input->propose) {
         return propose_filters(input, lens, &rays, run, error);
     }

@@ -141,15 +141,45 @@ static bool pinhole_expose(const struct pinhole_input *input, struct pinhole_row
     return true;
 }
 
+/* The depth: as given, else the one for which a given hole is the best. */
+static bool pinhole_depth(const struct pinhole_input *input, struct pinhole_setting *setting,
+                          struct run *run, struct error *error)
+{
+    struct pinhole hole;
+    if (!isnan(setting->f) || isnan(input->diameter)) {
+        return !isnan(setting->f) ||
+               fail(error, ERROR_USAGE,
+                    "give {--focal-length}: how far the film lies behind the hole");
+    }
+    struct pinhole_setting any = *setting;
+    any.f = 1; /* the best depth does not depend on it */
+    if (!pinhole_find(&any, (enum pinhole_rule)input->rule, input->diameter, &hole, error)) {
+        return false;
+    }
+    if (!isfinite(hole.best_f)) {
+        return fail(error, ERROR_DOMAIN,
+                    "at this distance no depth has {--diameter} %.4g mm as "
+                    "its best hole: give {--focal-length}",
+                    input->diameter);
+    }
+    setting->f = hole.best_f;
+    warnings_add(run->doubts, "no --focal-length: the depth is the one for which this hole is the "
+                              "best");
+    return true;
+}
+
 static bool pinhole_run(const void *data, struct run *run, struct error *error)
 {
     const struct pinhole_input *input = data;
     struct sensor_value sensor;
-    const struct pinhole_setting setting = {
-        input->focal.length, isnan(input->distance) ? (double)INFINITY : input->distance,
-        input->wavelength};
-    const struct fov_setting view = {RECTILINEAR, input->focal.length, INFINITY, 1, 1};
+    struct pinhole_setting setting = {input->focal.length,
+                                      isnan(input->distance) ? (double)INFINITY : input->distance,
+                                      input->wavelength};
     const enum pinhole_rule rule = (enum pinhole_rule)input->rule;
+    if (!pinhole_depth(input, &setting, run, error)) {
+        return false;
+    }
+    const struct fov_setting view = {RECTILINEAR, setting.f, INFINITY, 1, 1};
     struct pinhole_row row = {.focal = setting.f,
                               .distance = setting.s,
                               .metered = input->metered,
@@ -158,10 +188,6 @@ static bool pinhole_run(const void *data, struct run *run, struct error *error)
                               .film = input->film.name,
                               .film_source = input->film.source,
                               .wavelength = input->wavelength};
-    if (isnan(setting.f)) {
-        return fail(error, ERROR_USAGE,
-                    "give {--focal-length}: how far the film lies behind the hole");
-    }
     if (!crop_sensor(&input->sensor, input->crop, run->arena, &sensor, error) ||
         !pinhole_best(&setting, rule, &row.best, error)) {
         return false;

@@ -396,6 +396,12 @@ static bool visual_answer(const void *data, const struct photo_lens *eyepiece, s
         return false;
     }
     row.whole = setting->focal * setting->barlow;
+    if (setting->power < 1) {
+        warnings_add(run->doubts,
+                     "the power is below 1: the eyepiece, %.4g mm, is longer than the telescope, "
+                     "%.4g mm",
+                     setting->eyepiece, row.whole);
+    }
     row.whole_fnumber = setting->fnumber * setting->barlow;
     if (eyepiece->lens != NULL) {
         visual_fill_relief(eyepiece, is_changed, &row, run);
@@ -459,7 +465,7 @@ static const struct explanation explanations[] = {
 };
 
 static const struct example examples[] = {
-    {"visual --telescope 1200mm --diameter 200mm --eyepiece 25mm --barlow 2x",
+    {"visual 1200mm f/6 --eyepiece 25mm --barlow 2x",
      "a telescope with an eyepiece and a Barlow lens"},
     {"visual --telescope 1200 --diameter 200 --eyepiece 32,25,10,5 --apparent-field 52deg",
      "a box of eyepieces"},
