@@ -335,7 +335,8 @@ struct candidates {
     struct text typed;
     struct nearest nearest;
     struct lensdb_film first;
-    size_t count;
+    struct lensdb_film own; /* of a maker's own data, where `owns` is 1 */
+    size_t count, owns;
     char words[400];
 };
 
@@ -349,6 +350,10 @@ static void add_candidate(struct candidates *found, const struct lensdb_film *fi
     size_t used = strlen(found->words);
     if (found->count++ == 0) {
         found->first = *film;
+    }
+    if (!text_equal(film->maker, "generic")) {
+        found->own = *film;
+        found->owns++;
     }
     snprintf(found->words + used, sizeof found->words - used, "%s'%.*s %.*s' (%.*s)",
              used > 0 ? ", " : "", shown_length(film->maker, 30), film->maker.start,
@@ -399,6 +404,11 @@ bool lensdb_find_film(struct lensdb *db, struct text name, struct lensdb_film *f
     }
     if (found.count == 0) {
         return unknown_fact("film", "films", &found.nearest, error);
+    }
+    if (found.count > 1 &&
+        found.owns == 1) { /* the others are measurements of it by someone else */
+        *film = found.own;
+        return true;
     }
     if (found.count > 1) {
         fail(error, ERROR_USAGE, "'%.*s' names %zu films: %s", shown_length(typed, 60), typed.start,

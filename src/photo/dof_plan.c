@@ -82,12 +82,25 @@ bool dof_plan_shot(const struct dof_plan *plan, long index, struct dof_setting *
     return dof_compute(shot, DOF_EXACT, dof, error);
 }
 
-bool dof_rail_plan(const struct dof_setting *setting, double m, double covered, double overlap,
-                   struct dof_rail *rail, struct error *error)
+bool dof_depth_at(const struct dof_setting *setting, double m, double *depth, struct error *error)
 {
     const double N = setting->N, c = setting->c, P = setting->P;
     const double e = isnan(setting->f) ? 0 : N * c / (m * setting->f);
-    if (!(m > 0 && m < INFINITY && N > 0 && c > 0 && P > 0) ||
+    if (!check_positive("magnification", "", m, error) ||
+        !check_positive("f-number", "", N, error) ||
+        !check_not_negative("circle of confusion", " mm", c, error) ||
+        !check_positive("pupil magnification", "", P, error)) {
+        return false;
+    }
+    *depth = e < 1 ? 2 * N * c * (1 / m + 1 / P) / (m * (1 - e * e)) : (double)INFINITY;
+    return true;
+}
+
+bool dof_rail_plan(const struct dof_setting *setting, double m, double covered, double overlap,
+                   struct dof_rail *rail, struct error *error)
+{
+    double depth;
+    if (!(m > 0 && m < INFINITY && setting->N > 0 && setting->c > 0 && setting->P > 0) ||
         !(covered > 0 && covered < INFINITY)) {
         return fail(error, ERROR_DOMAIN,
                     "a stack on a rail needs a magnification, an f-number, a circle of confusion "
@@ -96,10 +109,12 @@ bool dof_rail_plan(const struct dof_setting *setting, double m, double covered, 
     if (!(overlap >= 0 && overlap <= 0.95)) {
         return fail(error, ERROR_DOMAIN, "an overlap of %.6g is not within 0 to 0.95", overlap);
     }
-    if (!(e < 1)) {
+    if (!dof_depth_at(setting, m, &depth, error)) {
+        return false;
+    }
+    if (isinf(depth)) {
         return fail(error, ERROR_DOMAIN, "one shot covers everything up to infinity");
     }
-    const double depth = 2 * N * c * (1 / m + 1 / P) / (m * (1 - e * e));
     const double steps = ceil((covered - depth) / (depth * (1 - overlap)) - COUNT_TOLERANCE);
     if (!(steps < DOF_PLAN_LIMIT)) {
         return fail(error, ERROR_DOMAIN, "that takes more than %d shots", (int)DOF_PLAN_LIMIT);

@@ -52,6 +52,20 @@ bool dof_plan_make(const struct dof_setting *setting, double near, double far, d
 bool dof_plan_shot(const struct dof_plan *plan, long index, struct dof_setting *shot,
                    struct dof *dof, struct error *error);
 
+/*
+ * Depth of field at a magnification, by itself.
+ *
+ * Given     setting  N, P > 0, c >= 0; f, or NaN: not known; s is ignored
+ *           m        magnification, > 0
+ * Result    depth    mm; inf from e = 1 on
+ * Formula   T = 2 N c (1/m + 1/P)/(m (1 - e^2)), e = N c/(m f), 0 where f is not known
+ * Source    Derived here: dof_compute's total at a magnification; without f and for P = 1 the
+ *           2 N c (1 + m)/m^2 of [Ray02]
+ * Errors    a number outside its range
+ * Limits    Without f the depth is too small by e^2, less than 1 % for f > 10 N c/m
+ */
+bool dof_depth_at(const struct dof_setting *setting, double m, double *depth, struct error *error);
+
 /* A focus stack of a camera on a rail; lengths in mm. */
 struct dof_rail {
     double depth;  /* of field, of each shot */

@@ -61,6 +61,16 @@ double sky_angle(int object)
                       : 2 * asin(sizes[object].radius / sizes[object].distance);
 }
 
+double sky_distance(double size, double angle)
+{
+    return size / (2 * tan(angle / 2));
+}
+
+double sky_subtended(double size, double distance)
+{
+    return 2 * atan(size / (2 * distance));
+}
+
 bool sky_image(const struct fov_setting *setting, double angle, double *image, struct error *error)
 {
     double height;

@@ -22,6 +22,16 @@ extern const struct word sky_objects[];
 double sky_angle(int object);
 
 /*
+ * Distance at which something of a size subtends an angle, and the angle from a distance.
+ *
+ * Given     size, distance  mm, > 0, across the line of sight;  angle  rad, > 0, below pi
+ * Formula   d = size/(2 tan(angle/2));  angle = 2 atan(size/(2 d))
+ * Source    similar triangles
+ */
+double sky_distance(double size, double angle);
+double sky_subtended(double size, double distance);
+
+/*
  * Length of the image of something that subtends an angle, in the middle of the picture.
  *
  * Given     setting  complete;  angle  rad, > 0

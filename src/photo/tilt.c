@@ -5,6 +5,7 @@
 #include "base/constants.h"
 #include "photo/given.h"
 
+#include <float.h>
 #include <math.h>
 
 /* The tilt, given itself or by the hinge's depth. */
@@ -92,6 +93,9 @@ bool tilt_solve(const struct tilt_given *given, struct tilt *result, struct erro
     }
     double f = given->f, image = f / ratio, blur = given->N * given->c / f;
     double A = cos(tilt) - ratio, B = sin(tilt);
+    if (!isnan(given->angle) && fabs(A) < 4 * DBL_EPSILON) {
+        A = 0; /* rounding alone: the plane of focus is parallel to the sensor's normal */
+    }
     double A_near = A + ratio * blur, A_far = A - ratio * blur;
     *result = (struct tilt){.f = f,
                             .N = given->N,

@@ -40,6 +40,18 @@ static struct text megapixels_of(struct text text)
     return (struct text){NULL, 0};
 }
 
+/* "1280x720px" and "6000 px" are what they are without. */
+static struct text pixels_without_unit(struct text text)
+{
+    const struct text end = text_of("px");
+    if (text.length > end.length &&
+        text_same(text_between(text.start + text.length - end.length, text.start + text.length),
+                  "px")) {
+        text.length -= end.length;
+    }
+    return text_trim(text);
+}
+
 static bool is_pixel_count(double number)
 {
     return number >= 1 && number <= 1e6 && number == floor(number);
@@ -49,7 +61,8 @@ static bool pixels_value_read(const struct reader *reader, const struct option *
                               struct text text, void *member, struct error *error)
 {
     struct pixels_value *pixels = member;
-    const struct text whole = text_trim(text), millions = megapixels_of(whole);
+    const struct text millions = megapixels_of(text_trim(text));
+    const struct text whole = pixels_without_unit(text_trim(text));
     double count, sides[2];
     bool has_unit = false;
     (void)reader;

@@ -5,6 +5,7 @@
 #include "cli/question/operands.h"
 #include "cli/question/operands_telescope.h"
 #include "cli/question/trade_names.h"
+#include "cli/question/unit_moves.h"
 
 #include <string.h>
 
@@ -389,7 +390,7 @@ static bool parse_operand(struct arguments *arguments, struct text word, struct 
 bool arguments_settle(struct arguments *arguments, struct arena *arena, struct error *error)
 {
     const size_t count = arguments->operand_count;
-    telescope_move_aperture(arguments);
+    unit_moves_apply(arguments);
     if (count == 0) {
         return true;
     }

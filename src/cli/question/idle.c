@@ -224,7 +224,8 @@ static bool check_option(const struct idle *idle, const struct option *option, s
                     option->why != NULL ? option->why : "");
     }
     if (option->wants != NULL && !has_wanted(idle, option->wants, words, sizeof words)) {
-        return fail(error, ERROR_USAGE, "{--%s} needs %s", option->name, words);
+        fail(error, ERROR_USAGE, "{--%s} needs %s", option->name, words);
+        return option->no_number != NULL && error_hint(error, "%s", option->no_number);
     }
     const char *stop = idle->arguments->command->stop_size_wants;
     if (strcmp(option->name, "stop-size") == 0 && stop != NULL &&

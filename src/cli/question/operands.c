@@ -11,8 +11,9 @@
 static const struct {
     const char *option, *example;
 } operand_options[] = {
-    {"focal-length", "50mm"}, {TELESCOPE, "1200mm"}, {"aperture", "f/2.8"}, {"distance", "3m"},
-    {DIAMETER, "200mm"},      {"time", "1/125"},     {"iso", "iso400"},     {"ev", "EV12"},
+    {"focal-length", "50mm"}, {TELESCOPE, "1200mm"}, {"aperture", "f/2.8"},
+    {"distance", "3m"},       {DIAMETER, "200mm"},   {"metered-at", "f/16"},
+    {"time", "1/125"},        {"iso", "iso400"},     {"ev", "EV12"},
 };
 enum {
     OPERAND_FOCAL,

@@ -131,22 +131,3 @@ bool operands_tell_telescope(const struct arguments *arguments, const struct tex
     }
     return true;
 }
-
-void telescope_move_aperture(struct arguments *arguments)
-{
-    struct argument *aperture = arguments_find(arguments, text_of("aperture"));
-    struct argument *diameter = arguments_find(arguments, text_of(DIAMETER));
-    if (aperture == NULL || diameter == NULL || !aperture->is_given || diameter->is_given ||
-        arguments_find(arguments, text_of(TELESCOPE)) == NULL) {
-        return;
-    }
-    const struct telescope_length length = telescope_length_of(aperture->text);
-    const struct text text = aperture->text;
-    if (isnan(length.length) || char_is_digit(text.start[text.length - 1])) {
-        return;
-    }
-    diameter->text = text;
-    diameter->is_given = true;
-    diameter->entry = aperture->entry;
-    arguments_withdraw(arguments, aperture);
-}

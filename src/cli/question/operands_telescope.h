@@ -18,7 +18,4 @@
 bool operands_tell_telescope(const struct arguments *arguments, const struct text *operands,
                              size_t count, const struct option **options, struct error *error);
 
-/* The length in --aperture of a telescope, which is its diameter: it becomes the value of that. */
-void telescope_move_aperture(struct arguments *arguments);
-
 #endif

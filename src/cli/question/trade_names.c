@@ -44,6 +44,7 @@ const struct trade_name trade_aliases[] = {
     {"n1", "before", NULL, NULL},
     {"n2", "after", NULL, NULL},
     {"on", "to", NULL, NULL},
+    {"height cameraheight", "hinge", NULL, NULL},
     {"duration", "event", NULL, NULL},
     {"s do distance objectdistance", "object", "conjugate", NULL},
     {"di imagedistance", "image", "conjugate", NULL},
@@ -87,6 +88,5 @@ const struct trade_name trade_hints[] = {
     {"brightness footlamberts", "luminance", NULL, NULL},
     {"s do distance objectdistance", "object", NULL, NULL},
     {"pixels", "blur", "motion", "a blur of so many pixels is --blur 8px"},
-    {"height cameraheight", "hinge", NULL, NULL},
     {NULL, NULL, NULL, NULL},
 };

@@ -8,7 +8,7 @@
 #include <math.h>
 
 struct diffraction_input {
-    double magnification, na;
+    double magnification, na, diameter;
     struct photo_lens_question lens;
     struct sharpness sharp;
     double pixels, film; /* film in line pairs per mm */
@@ -21,6 +21,10 @@ struct diffraction_input {
 static const struct option options[] = {
     PHOTO_LENS_OPTIONS(lens),
     OPTION_APERTURE(lens.fnumber, 0),
+    {MEASURE(diameter, length, "mm", "LENGTH"), REPEATED("diameter"), ABOVE_0,
+     .excludes = "aperture na lens magnification near focus-spread",
+     .help =
+         "diameter of a telescope, in place of -N: the angles that it resolves; with -f all of it"},
     OPTION_NA(na,
               "numerical aperture in place of -N: at the subject with -m, else at the image; the "
               "Airy disc is that on the sensor",
@@ -59,7 +63,7 @@ struct diffraction_row {
     struct diffraction_angles angles;
     struct diffraction_optimum optimum;
     double wavelength, pitch, coc, pixels, film, frequency; /* mm */
-    double na, focal, near, far, spread;
+    double na, focal, near, far, spread, diameter;
     double mtf50, mtf10;
     double fnumber_pixel, fnumber_coc, fnumber_film;
     struct photo_real real;
@@ -77,6 +81,14 @@ struct diffraction_row {
           .when = "with --pitch, or a camera of known pixels", .symbol = "Ny",                     \
           .label = "Nyquist frequency of the pixels",                                              \
           .help = "finest pattern the pixels can record")
+#define COLUMN_DIAMETER                                                                            \
+    ENTRY(LENGTH(diameter, "mm"), .name = "diameter", ECHO_WITH("diameter"), .symbol = "D",        \
+          .help = "of the entrance pupil")
+#define COLUMNS_ANGLES(more)                                                                       \
+    ENTRY(MEASURED(angles.rayleigh, angle, "arcsec"), .name = "rayleigh", .symbol = "th", more,    \
+          .label = "Rayleigh angle", .help = "smallest angle resolved at infinity"),               \
+        ENTRY(MEASURED(angles.dawes, angle, "arcsec"), .name = "dawes", more,                      \
+              .label = "Dawes' limit", .help = "two stars just resolved, an empirical rule")
 /* What contrast and Airy disc have in common. */
 #define COLUMNS_ASSUMED                                                                            \
     COLUMN_WAVELENGTH(wavelength),                                                                 \
@@ -103,6 +115,7 @@ static const struct column columns[] = {
     PHOTO_LENS_COLUMNS(real),
     COLUMN_NA(na),
     COLUMN_FNUMBER(setting.N, 0),
+    COLUMN_DIAMETER,
     {SHOWN(airy.working_fnumber), .name = "working_fnumber", .symbol = "Nw",
      .label = "working f-number", .help = "f-number that diffracts, N (1 + m/P)"},
     {LENGTH(airy.airy_diameter, "um"), .name = "airy_diameter", BRIEF, .symbol = "A",
@@ -127,11 +140,7 @@ static const struct column columns[] = {
     {SHOWN(fnumber_film), .name = "fnumber_film", .when = "with --film", .symbol = "Nf",
      .label = "f-number of the film", .help = "where the Rayleigh limit is that of --film"},
     COLUMNS_SPREAD(0),
-    {MEASURED(angles.rayleigh, angle, "arcsec"), .name = "rayleigh", .symbol = "th",
-     .with = "focal-length lens", .label = "Rayleigh angle",
-     .help = "smallest angle resolved at infinity"},
-    {MEASURED(angles.dawes, angle, "arcsec"), .name = "dawes", .with = "focal-length lens",
-     .label = "Dawes' limit", .help = "two stars just resolved, an empirical rule"},
+    COLUMNS_ANGLES(.with = "focal-length lens"),
     {MEASURED(frequency, frequency, "per_mm"), .name = "frequency", ECHO_WITH("frequency"),
      .symbol = "nu", .label = "spatial frequency", .help = "frequency on the sensor"},
     {SHOWN(mtf.lens), .name = "mtf_lens", WITH("frequency"), .symbol = "M",
@@ -190,10 +199,20 @@ static const struct column best_columns[] = {
     PHOTO_LENS_WARNING_COLUMN(real),
 };
 
+/* With --diameter alone: angles, to which sensor and f-number say nothing. */
+static const struct column angle_columns[] = {
+    COLUMN_DIAMETER,
+    COLUMNS_ANGLES(.flags = COLUMN_BRIEF),
+    {MEASURED(angles.sparrow, angle, "arcsec"), .name = "sparrow", .label = "Sparrow limit",
+     .help = "where the dip between two equal stars vanishes"},
+    COLUMN_WAVELENGTH(wavelength),
+};
+
+static const struct sheet angle_sheet = SHEET(angle_columns, struct diffraction_row);
 static const struct sheet best = SHEET(best_columns, struct diffraction_row);
 static const struct sheet contrast = SHEET(contrast_columns, struct diffraction_row);
 static const struct sheet all = SHEET(columns, struct diffraction_row);
-static const struct sheet *const sheets[] = {&all, &best, &contrast, NULL};
+static const struct sheet *const sheets[] = {&all, &best, &contrast, &angle_sheet, NULL};
 
 static const struct sheet *diffraction_choose_sheet(const void *data,
                                                     const struct option_query *asking)
@@ -201,6 +220,9 @@ static const struct sheet *diffraction_choose_sheet(const void *data,
     (void)data;
     bool spread = asking_given(asking, "near") || asking_given(asking, "focus-spread");
     bool wants_best = spread && !asking_given(asking, "aperture");
+    if (asking_given(asking, "diameter") && !asking_given(asking, "focal-length")) {
+        return &angle_sheet;
+    }
     if (asking_given(asking, "frequency")) {
         return &contrast;
     }
@@ -287,6 +309,23 @@ static bool check_best(const struct diffraction_input *input, const struct sharp
     return true;
 }
 
+/* As given, or what a numerical aperture or a diameter makes it; NaN: nothing does. */
+static double diffraction_fnumber_of(const struct diffraction_input *input,
+                                     const struct photo_lens *lens)
+{
+    if (!isnan(input->diameter)) {
+        return lens->f / input->diameter;
+    }
+    return isnan(input->na) ? lens->N : fnumber_from_na(input->na, input->magnification, lens->P);
+}
+
+/* The angles of a diameter, whatever the focal length; nothing else. */
+static bool diffraction_is_angles_alone(const struct diffraction_input *input,
+                                        const struct photo_lens *lens)
+{
+    return !isnan(input->diameter) && isnan(lens->f);
+}
+
 static bool diffraction_answer(const void *data, const struct photo_lens *lens, struct run *run,
                                struct error *error)
 {
@@ -298,8 +337,7 @@ static bool diffraction_answer(const void *data, const struct photo_lens *lens, 
         return false;
     }
     const double pitch = sharpness_pitch(sharp);
-    const double N =
-        isnan(input->na) ? lens->N : fnumber_from_na(input->na, input->magnification, lens->P);
+    const double N = diffraction_fnumber_of(input, lens);
     struct diffraction_row row = {
         .setting = {.N = N,
                     .m = input->magnification,
@@ -314,6 +352,7 @@ static bool diffraction_answer(const void *data, const struct photo_lens *lens, 
         .frequency = input->frequency,
         .na = input->na,
         .focal = lens->f,
+        .diameter = input->diameter,
         .real = *lens->real,
         .sensor = sharp->sensor.name,
         .criterion = sharp->coc.criterion,
@@ -328,6 +367,10 @@ static bool diffraction_answer(const void *data, const struct photo_lens *lens, 
         .fnumber_film = NAN,
         .fnumber_coc = NAN,
     };
+    if (diffraction_is_angles_alone(input, lens)) {
+        return diffraction_resolve(input->diameter, row.setting.wavelength, &row.angles, error) &&
+               (run_emit(run, &row), true);
+    }
     if (isnan(N) && !isnan(input->frequency)) {
         return fail(error, ERROR_USAGE, "{--frequency} needs {--aperture}");
     }

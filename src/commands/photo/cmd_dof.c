@@ -310,26 +310,22 @@ static bool run_stack(const struct dof_question *input, const struct attached_le
     return true;
 }
 
-/* One row for all shots of a rail, which differ in nothing but their place. */
-static bool run_rail(const struct dof_question *input, const struct photo_lens *lens,
-                     const struct dof_setting *setting, struct run *run, struct error *error)
+/* The row of a magnification whose distances are not known, or are those of no shot alone. */
+static struct dof_row dof_row_at(const struct dof_question *input, const struct photo_lens *lens,
+                                 const struct dof_setting *setting, double depth)
 {
-    struct dof_rail rail;
-    if (!dof_question_rail(input, setting, &rail, error)) {
-        return false;
-    }
     const double m = input->targets.magnification, none = NAN;
-    struct dof_row row = {
+    return (struct dof_row){
         .setting = *setting,
-        .dof = {none, none, none, none, none, rail.depth, m,
+        .dof = {none, none, none, none, none, depth, m,
                 2 * setting->N * setting->c * (1 + m / setting->P), none, none, none, none, none,
                 none, setting->N * (1 + m / setting->P), 1, 1},
         .real = *lens->real,
         .rays = by_rays_none,
         .attached = input->attached,
         .background = dof_background_none,
-        .step = rail.step,
-        .travel = rail.travel,
+        .step = none,
+        .travel = none,
         .na = none,
         .focal = setting->f,
         .fnumber = setting->N,
@@ -347,11 +343,55 @@ static bool run_rail(const struct dof_question *input, const struct photo_lens *
         .model = dof_models[input->model].word,
         .from = distances_from[input->lens.from].word,
         .shot = NO_INTEGER,
-        .shots = rail.count,
+        .shots = NO_INTEGER,
         .other_focal = none,
         .other_fnumber = none,
         .other_coc = none,
     };
+}
+
+/* One row for all shots of a rail, which differ in nothing but their place. */
+static bool run_rail(const struct dof_question *input, const struct photo_lens *lens,
+                     const struct dof_setting *setting, struct run *run, struct error *error)
+{
+    struct dof_rail rail;
+    if (!dof_question_rail(input, setting, &rail, error)) {
+        return false;
+    }
+    struct dof_row row = dof_row_at(input, lens, setting, rail.depth);
+    row.step = rail.step;
+    row.travel = rail.travel;
+    row.shots = rail.count;
+    run_emit(run, &row);
+    return true;
+}
+
+/* Is a magnification all that is known of lens and distance? The depth follows from it. */
+static bool has_magnification_alone(const struct dof_question *input,
+                                    const struct dof_setting *setting)
+{
+    const struct dof_targets *t = &input->targets;
+    return t->magnification > 0 && isnan(setting->f) && isnan(setting->s) && !isnan(setting->N) &&
+           !isnan(setting->c) && isnan(t->near) && isnan(t->far) && isnan(t->total) &&
+           isnan(t->hyperfocal) && isnan(input->blur_at) && isnan(input->blur_behind) &&
+           isnan(input->squeeze) && isnan(input->t_stop) && input->other.name == NULL &&
+           !attachments_any(&input->attached) && input->model == DOF_EXACT &&
+           !sharpness_is_airy(&input->sharp);
+}
+
+static bool run_magnification(const struct dof_question *input, const struct photo_lens *lens,
+                              const struct dof_setting *setting, struct run *run,
+                              struct error *error)
+{
+    double depth;
+    if (!dof_depth_at(setting, input->targets.magnification, &depth, error)) {
+        return false;
+    }
+    const struct dof_row row = dof_row_at(input, lens, setting, depth);
+    warnings_add(run->doubts,
+                 "no --focal-length: the depth at a magnification depends on it by less than 1 %% "
+                 "where it is longer than %.3g mm, and distances are not known",
+                 10 * setting->N * setting->c / input->targets.magnification);
     run_emit(run, &row);
     return true;
 }
@@ -434,6 +474,9 @@ static bool dof_answer(const void *data, const struct photo_lens *lens, struct r
     const char *criterion = solves_coc ? "solved" : input->sharp.coc.criterion;
     if (input->rail) {
         return run_rail(input, attached.lens, setting, run, error);
+    }
+    if (!input->stack && has_magnification_alone(input, setting)) {
+        return run_magnification(input, attached.lens, setting, run, error);
     }
     if (input->stack) {
         struct dof_plan plan;

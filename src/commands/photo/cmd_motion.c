@@ -1,6 +1,7 @@
 /* commands/photo/cmd_motion.c - lenscalc motion: blur of moving subjects and unsteady cameras. */
 /* SPDX-License-Identifier: MIT */
 #include "cli/question/command.h"
+#include "commands/photo/pixels.h"
 #include "commands/photo/sharpness.h"
 #include "commands/tables.h"
 #include "photo/given.h"
@@ -15,6 +16,8 @@ struct motion_input {
     double distance, magnification, speed, time, angle, height;
     double rotation, track, stabiliser, readout;
     struct coc_value blur;
+    double field_width;
+    struct pixels_value pixels;
     struct sharpness sharp;
 };
 
@@ -45,11 +48,21 @@ static const struct option options[] = {
      .fallback = "0", .help = "stops gained by stabilisation, for the hand-held rule"},
     {MEASURE(readout, time, "s", "TIME"), REPEATED("readout"), .quantity = "readout time",
      ABOVE_0 | OPTION_NO_SERIES, .help = "rolling shutter: time from first to last row"},
+    {MEASURE(field_width, length, "m", "LENGTH"), .name = "field-width", .column = "field_width",
+     ABOVE_0, .excludes = "magnification distance focal-length rotation track readout height",
+     .help = "width of what is in the picture, in place of lens and distance: with --pixels, or by "
+             "the width of --sensor"},
+    {ASKED(pixels), .name = "pixels", .value = "N|WxH|Mpx", .wants = "field-width",
+     .no_number = "a blur of 8 pixels is --blur 8px",
+     .help =
+         "pixels across --field-width; then 1 px of blur is allowed unless --blur or --coc says "
+         "otherwise"},
     SHARPNESS_OPTIONS(sharp, 0, "d/1500", NULL),
 };
 
 struct motion_row {
     struct motion motion;
+    double field_width;
     double focal, distance, c, pitch;
     struct blur_size size;
     double image_speed, handheld;
@@ -68,6 +81,8 @@ static const struct column columns[] = {
     {LENGTH(distance, "m"), .name = "distance", .flags = COLUMN_ECHO | COLUMN_INFINITE,
      .symbol = "s", .with = "distance", .help = "distance of the subject"},
     COLUMN_MAGNIFICATION(motion.m, 0),
+    {LENGTH(field_width, "m"), .name = "field_width", ECHO_WITH("field-width"),
+     .label = "field width", .help = "width of what is in the picture"},
     {MEASURED(motion.v, speed, "m_s"), .name = "speed", BRIEF, .symbol = "v",
      .help = "of the subject"},
     {ANGLE(motion.angle), .name = "angle", .flags = COLUMN_ECHO, .symbol = "a", .with = "angle",
@@ -183,10 +198,37 @@ static bool solve_panning(const struct motion_input *input, struct motion_row *r
     return panning_solve(&pan, &row->pan, error);
 }
 
+/* The magnification and the pixels of a field that is given, as a camera above a belt has it. */
+static bool motion_take_field(struct motion_input *own, struct run *run, struct error *error)
+{
+    struct sharpness *sharp = &own->sharp;
+    const struct pixels_question pixels = {own->pixels, sharp->pitch, false};
+    const bool is_any = sharp->sensor.is_fallback && isnan(sharp->pitch);
+    if (!is_given(own->field_width)) {
+        return true;
+    }
+    if (pixels_given(&own->pixels)) {
+        sharp->sensor.is_fallback = sharp->sensor.is_fallback && !is_any;
+        /* of a sensor that nobody named the shape says nothing */
+        if (!pixels_settle(&pixels, &sharp->sensor, run->arena, is_any ? NULL : run->doubts,
+                           error)) {
+            return false;
+        }
+        if (sharp->coc.is_fallback) {
+            sharp->coc = (struct coc_value){{.kind = COC_PIXELS, .value = 1}, "1px", false};
+        }
+    }
+    own->magnification = sharp->sensor.size.width / own->field_width;
+    return true;
+}
+
 static bool motion_run(const void *data, struct run *run, struct error *error)
 {
     struct motion_input own = *(const struct motion_input *)data;
     const struct motion_input *input = &own;
+    if (!motion_take_field(&own, run, error)) {
+        return false;
+    }
     if (!sharpness_settle(&own.sharp, PITCH_FOR_MORE, run->doubts, error)) {
         return false;
     }
@@ -197,6 +239,7 @@ static bool motion_run(const void *data, struct run *run, struct error *error)
     struct motion_row row = {
         .motion = {input->speed, input->time, NAN, NAN, input->angle, input->distance,
                    input->height},
+        .field_width = input->field_width,
         .focal = input->focal.length,
         .distance = input->distance,
         .pitch = sharpness_pitch(&own.sharp),

@@ -1,6 +1,7 @@
 /* commands/photo/cmd_tilt.c - lenscalc tilt: tilted lenses and the wedge of sharpness. */
 /* SPDX-License-Identifier: MIT */
 #include "base/arena.h"
+#include "base/constants.h"
 #include "cli/question/command.h"
 #include "commands/photo/sharpness.h"
 #include "commands/tables.h"
@@ -70,7 +71,7 @@ struct tilt_row {
 
 static const struct column columns[] = {
     COLUMN_FOCAL(camera.f, 0),
-    COLUMN_FNUMBER(camera.N, 0),
+    COLUMN_FNUMBER(camera.N, COLUMN_SPARSE),
     {ANGLE(camera.tilt), .name = "tilt", BRIEF, .symbol = "a",
      .help = "of the lens against the sensor"},
     {LENGTH(camera.hinge, "m"), .name = "hinge", BRIEF | COLUMN_INFINITE, .symbol = "J",
@@ -83,15 +84,15 @@ static const struct column columns[] = {
      .help = "where lens, sensor and plane of focus meet, in the sensor's plane"},
     {ANGLE(camera.angle), .name = "angle", BRIEF, .symbol = "psi",
      .label = "angle of the plane of focus", .help = "its angle against the sensor"},
-    {ANGLE(camera.near_angle), .name = "near_angle", BRIEF, .symbol = "psin",
+    {ANGLE(camera.near_angle), .name = "near_angle", BRIEF | COLUMN_SPARSE, .symbol = "psin",
      .label = "near limit, plane", .help = "angle of the near limit against the sensor"},
-    {ANGLE(camera.far_angle), .name = "far_angle", BRIEF, .symbol = "psif",
+    {ANGLE(camera.far_angle), .name = "far_angle", BRIEF | COLUMN_SPARSE, .symbol = "psif",
      .label = "far limit, plane", .help = "angle of the far limit against the sensor"},
-    {SHOWN(camera.half_height), .name = "half_height", .flags = COLUMN_INFINITE, .symbol = "q",
-     .label = "half height of the wedge per distance",
+    {SHOWN(camera.half_height), .name = "half_height", .flags = COLUMN_INFINITE | COLUMN_SPARSE,
+     .symbol = "q", .label = "half height of the wedge per distance",
      .help = "near limit above, far limit below the plane of focus, over the distance"},
-    {LENGTH(camera.hyperfocal, "m"), .name = "hyperfocal", .flags = COLUMN_INFINITE, .symbol = "H",
-     .label = "hyperfocal distance, without + f",
+    {LENGTH(camera.hyperfocal, "m"), .name = "hyperfocal", .flags = COLUMN_INFINITE | COLUMN_SPARSE,
+     .symbol = "H", .label = "hyperfocal distance, without + f",
      .help = "f^2/(N c): where the half height is about that of the lens above the hinge"},
     {LENGTH(camera.distance, "m"), .name = "distance", BRIEF | COLUMN_INFINITE, .symbol = "u",
      .label = "distance straight ahead", .help = "distance of the sharp point straight ahead"},
@@ -100,11 +101,11 @@ static const struct column columns[] = {
     {LENGTH(height, "mm"), .name = "image_height", BRIEF_WITH("sight"),
      .label = "image height above the middle",
      .help = "where that line of sight meets the sensor, above the lens axis"},
-    {LENGTH(reach.near, "m"), .name = "near", BRIEF | COLUMN_INFINITE, .symbol = "n",
-     .label = "near limit", .help = "nearest sharp distance on the line of sight"},
+    {LENGTH(reach.near, "m"), .name = "near", BRIEF | COLUMN_INFINITE | COLUMN_SPARSE,
+     .symbol = "n", .label = "near limit", .help = "nearest sharp distance on the line of sight"},
     {LENGTH(reach.sharp, "m"), .name = "sharp", WITH("sight") | COLUMN_INFINITE,
      .help = "distance of the plane of focus on that line"},
-    {LENGTH(reach.far, "m"), .name = "far", BRIEF | COLUMN_INFINITE, .symbol = "r",
+    {LENGTH(reach.far, "m"), .name = "far", BRIEF | COLUMN_INFINITE | COLUMN_SPARSE, .symbol = "r",
      .label = "far limit", .help = "farthest sharp distance on the line of sight"},
     {LENGTH(reach.front, "m"), .name = "front", .flags = COLUMN_INFINITE | COLUMN_HIDDEN,
      .label = "in front of the plane", .help = "sharp before the plane of focus"},
@@ -174,6 +175,21 @@ static bool solve_through(const struct tilt_input *input, struct tilt_given *giv
            tilt_through(given->f, &a, &b, &given->tilt, &given->image, error);
 }
 
+/* Tilt, hinge and plane of focus need no f-number; the limits of sharpness do. */
+static bool tilt_solve_without_limits(struct tilt_given *given, bool is_through,
+                                      const struct tilt_input *input, struct tilt *camera,
+                                      struct error *error)
+{
+    given->N = 1;
+    given->c = 0;
+    if ((is_through && !solve_through(input, given, error)) || !tilt_solve(given, camera, error)) {
+        return false;
+    }
+    camera->N = camera->c = camera->near_angle = camera->far_angle = camera->half_height = NAN;
+    camera->hyperfocal = camera->A_near = camera->A_far = NAN;
+    return true;
+}
+
 static bool tilt_row_solve(const struct tilt_input *input, struct tilt *camera, struct error *error)
 {
     struct tilt_given given = {
@@ -185,9 +201,11 @@ static bool tilt_row_solve(const struct tilt_input *input, struct tilt *camera, 
         .distance = input->distance,
         .angle = input->angle,
     };
-    if (isnan(given.f) || isnan(given.N)) {
-        return fail(error, ERROR_USAGE, "{--%s} is missing",
-                    isnan(given.f) ? "focal-length" : "aperture");
+    if (isnan(given.f)) {
+        return fail(error, ERROR_USAGE, "{--focal-length} is missing");
+    }
+    if (isnan(given.N)) {
+        return tilt_solve_without_limits(&given, input->through != NULL, input, camera, error);
     }
     if (!sharpness_resolve(&input->sharp, input->fnumber, &given.c, error) ||
         (input->through != NULL && !solve_through(input, &given, error)) ||
@@ -220,11 +238,21 @@ static bool tilt_run(const void *data, struct run *run, struct error *error)
         return fail(error, ERROR_DOMAIN,
                     "{--sight} lies beside the camera or behind it (-90 to 90 deg, exclusive)");
     }
+    const bool is_open = isnan(own.image) && isnan(own.distance) && isnan(own.angle);
+    if (is_open && own.through == NULL && (!isnan(own.tilt) || !isnan(own.hinge))) {
+        own.angle = PI / 2;
+        warnings_add(run->doubts, "no --angle, --distance or --image: the plane of focus is taken "
+                                  "level, --angle 90deg, the sensor upright");
+    }
     if (!tilt_row_solve(input, &row.camera, error)) {
         return false;
     }
     row.height = -row.camera.image * slope;
     row.reach = tilt_along(&row.camera, slope);
+    if (isnan(row.camera.N)) {
+        row.reach.near = row.reach.far = row.reach.front = row.reach.behind = NAN;
+        row.criterion = NULL;
+    }
     /* The image circle that is needed, and how much one that is given leaves. */
     const struct sensor *size = &input->sharp.sensor.size;
     const struct tilt_frame frame = {size->width, size->height, input->rise, input->shift};
@@ -259,6 +287,9 @@ static bool draw_wedge(const struct artifact_job *job, struct output *sink, stru
     if (!sharpness_settle(&own.sharp, PITCH_FOR_COC, NULL, error) ||
         !tilt_row_solve(input, &camera, error)) {
         return false;
+    }
+    if (isnan(camera.N)) {
+        return fail(error, ERROR_USAGE, "{--wedge} needs the f-number: give {--aperture}");
     }
     double height = input->sharp.sensor.size.height;
     struct wedge wedge = {

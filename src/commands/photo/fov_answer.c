@@ -199,6 +199,9 @@ static bool fill_ground(const struct fov_input *input, struct fov_row *row, stru
                         struct error *error)
 {
     row->ground = (struct fov_ground){input->altitude, input->gsd, NAN, NAN};
+    if (isnan(input->altitude) && isnan(input->gsd) && isfinite(row->setting.s)) {
+        row->ground.sample = row->pitch * input->squeeze / row->magnification; /* straight ahead */
+    }
     if (run_shows(run, offsetof(struct fov_row, sky.scale)) ||
         run_shows(run, offsetof(struct fov_row, density)) ||
         run_shows(run, offsetof(struct fov_row, object_pixel)) ||
@@ -309,8 +312,15 @@ static bool fov_answer(const void *data, const struct photo_lens *bare, struct r
     if (input->task > 0) {
         own.density = viewing_tasks[input->task - 1].density;
     }
-    if (!solve_view(&own, lens, run, &row, error) ||
-        !photo_lens_check_subject(lens, row.setting.s, error) ||
+    const bool has_angle = !isnan(input->sky.angle);
+    if (!solve_view(&own, lens, run, &row, error)) {
+        return isnan(lens->f) && has_angle
+                   ? error_hint(error, "an angle of view is --horizontal, --vertical or "
+                                       "--diagonal; --subject-angle with --subject-size gives "
+                                       "a distance")
+                   : photo_lens_hint_virtual(lens, row.setting.s, error);
+    }
+    if (!photo_lens_check_subject(lens, row.setting.s, error) ||
         !fov_compute(&row.setting, &input->sensor.size, &row.fov, error)) {
         return photo_lens_hint_virtual(lens, row.setting.s, error);
     }
@@ -334,6 +344,12 @@ static bool fov_answer(const void *data, const struct photo_lens *bare, struct r
     row.magnification = row.setting.f / (row.setting.s - row.setting.f);
     row.crop = sensor_crop(&input->sensor.size);
     row.fx = fov_scale(&row.setting) / (row.pitch * input->squeeze);
+    if (input->is_bare) { /* of another pitch all of these are others */
+        row.focal = row.setting.f = row.width = row.height = row.pitch = row.image = NAN;
+        row.magnification = row.crop = row.setting.P = row.sky.image = NAN;
+        row.sensor = arena_printf(run->arena, "%.15g x %.15g pixels of any size",
+                                  input->pixels.wide, input->pixels.high);
+    }
     row.sensor_distance = row.setting.s + row.image + lens->measuring.hiatus;
     run_emit(run, &row);
     return true;
@@ -433,6 +449,13 @@ bool fov_run(const void *data, struct run *run, struct error *error)
     }
     if (fov_is_bare_line(input)) {
         return fov_bare_line(input, run, error);
+    }
+    if (fov_is_bare_subject(input)) {
+        return fov_bare_subject(input, run, error);
+    }
+    fov_hold_upright(&own, run->arena);
+    if (!fov_take_pixels(&own, error)) {
+        return false;
     }
     if (has_camera_lens(input)) {
         own.lens.focal.length = input->sensor.focal;

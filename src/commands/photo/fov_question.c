@@ -19,7 +19,7 @@ const struct fov_row fov_row_none = {
     .sensor_distance = NAN,
     .circle = NAN,
     .ground = {NAN, NAN, NAN, NAN},
-    .sky = {NAN, NAN, NAN, NAN, NAN, NULL},
+    .sky = {NAN, NAN, NAN, NAN, NAN, NULL, NAN, NAN},
     .fx = NAN,
     .breathing = NAN,
     .real = {.focal = NAN, .hiatus = NAN, .wavelength = NAN, .rear = NAN},

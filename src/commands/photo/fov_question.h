@@ -37,6 +37,9 @@ struct fov_input {
     double altitude, gsd;    /* of a camera in the air, mm */
     double converter, crop;  /* factors */
     struct sky_question sky;
+    double fx;     /* focal length in pixels */
+    bool is_bare;  /* pixels of no known size: no length on the sensor is known */
+    bool portrait; /* the camera is held upright */
     int focus_by;
     const char *gap;
     /* of a lens that is focused by its gaps, as it stands for infinity, and its position */
@@ -86,6 +89,23 @@ bool fov_is_bare_line(const struct fov_input *input);
 
 /* Answer for it: pixels on the subject and line rate follow from the field alone. */
 bool fov_bare_line(const struct fov_input *input, struct run *run, struct error *error);
+
+/*
+ * A focal length in pixels as one in mm: by the pitch of the pixels, or of any pitch where none is
+ * known.
+ *
+ * Formula   fx = f (1 + m)/pitch = 1/((1/f - 1/s) pitch)
+ * Source    pinhole model of a camera; thin lens
+ * Errors    ERROR_USAGE: pixels of which neither pitch nor number is known
+ */
+bool fov_take_pixels(struct fov_input *input, struct error *error);
+
+/* The sensor and its pixels of a camera that is held upright. */
+void fov_hold_upright(struct fov_input *input, struct arena *arena);
+
+/* Is a subject's distance asked for by its size and angle alone, and answer for it. */
+bool fov_is_bare_subject(const struct fov_input *input);
+bool fov_bare_subject(const struct fov_input *input, struct run *run, struct error *error);
 
 /* The `run` of the command. */
 bool fov_run(const void *data, struct run *run, struct error *error);

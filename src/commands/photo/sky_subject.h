@@ -11,6 +11,7 @@ struct sky_question {
     int subject;  /* place in sky_objects; 0 = none */
     double angle; /* rad; NaN = that of the subject */
     double scale; /* wanted angle of a pixel, rad; NaN = none */
+    double size;  /* of the subject, mm; NaN = not given */
 };
 
 struct sky_row {
@@ -20,6 +21,7 @@ struct sky_row {
     double pixels; /* the same in pixels */
     double part;   /* the same over the height of the sensor */
     const char *subject;
+    double size, distance; /* of the subject, mm; NaN where no size is given */
 };
 
 /* The options that bring a pixel's angle, among which a camera is one. */
@@ -35,7 +37,11 @@ struct sky_row {
               .help = "wanted angle of a pixel: solves for the focal length"),                     \
         ENTRY(MEASURE(member.angle, angle, "arcmin", "ANGLE"), .name = "subject-angle",            \
               .column = "subject_angle", .lowest = 0, .highest = PI, .flags = OPTION_ABOVE_LOWEST, \
-              .help = "angle that the subject subtends, in place of that of --subject")
+              .help = "angle that the subject subtends, in place of that of --subject"),           \
+        ENTRY(MEASURE(member.size, length, "m", "LENGTH"), .name = "subject-size",                 \
+              .column = "subject_size", ABOVE_0,                                                   \
+              .help = "size of the subject: with its angle, or that of --subject, gives the "      \
+                      "distance, with a distance the angle")
 
 #define SKY_COLUMNS(member)                                                                        \
     ENTRY(MEASURED(member.scale, angle, "arcsec"), .name = "pixel_scale",                          \
@@ -45,22 +51,30 @@ struct sky_row {
         ENTRY(SHOWN(member.subject), .name = "subject", ECHO_WITH("subject") | COLUMN_BRIEF,       \
               .help = "what is looked at in the sky"),                                             \
         ENTRY(MEASURED(member.angle, angle, "arcmin"), .name = "subject_angle",                    \
-              WITH("subject subject-angle"), .symbol = "su", .label = "angle of the subject",      \
+              WITH("subject subject-angle subject-size"), .symbol = "su",                          \
+              .label = "angle of the subject",                                                     \
               .help = "as given, else of --subject along its longer axis"),                        \
+        ENTRY(LENGTH(member.size, "m"), .name = "subject_size", ECHO_WITH("subject-size"),         \
+              .symbol = "sz", .label = "size of the subject", .help = "as given"),                 \
+        ENTRY(LENGTH(member.distance, "m"), .name = "subject_distance",                            \
+              BRIEF_WITH("subject-size"), .symbol = "ds", .label = "distance of the subject",      \
+              .help = "at which it subtends this angle"),                                          \
         ENTRY(LENGTH(member.image, "mm"), .name = "subject_image",                                 \
-              BRIEF_WITH("subject subject-angle"), .symbol = "im",                                 \
+              BRIEF_WITH("subject subject-angle subject-size") | COLUMN_SPARSE, .symbol = "im",    \
               .label = "image of the subject", .help = "on the sensor"),                           \
         ENTRY(SHOWN(member.pixels), .name = "subject_pixels",                                      \
-              BRIEF_WITH("subject subject-angle") | COLUMN_SPARSE,                                 \
+              BRIEF_WITH("subject subject-angle subject-size") | COLUMN_SPARSE,                    \
               .when = "with --pitch, or a camera of known pixels", .label = "in pixels",           \
               .help = "image of the subject over pixel pitch"),                                    \
         ENTRY(MEASURED(member.part, ratio, "percent"), .name = "subject_height",                   \
-              WITH("subject subject-angle"), .label = "of the picture's height",                   \
+              WITH("subject subject-angle subject-size") | COLUMN_SPARSE,                          \
+              .label = "of the picture's height",                                                  \
               .help = "image of the subject over the height of the sensor")
 
 #define SKY_EXPLANATIONS                                                                           \
-    {"pixel_scale", "ps = {p}/({f} (1 + {m}/{P}))",                                                \
-     "206.265 p/f arcsec for p in um and f in mm, far away", "in the middle of the picture"},      \
+    {"subject_distance", "ds = {sz}/(2 tan({su}/2))", "similar triangles", NULL},                  \
+        {"pixel_scale", "ps = {p}/({f} (1 + {m}/{P}))",                                            \
+         "206.265 p/f arcsec for p in um and f in mm, far away", "in the middle of the picture"},  \
     {                                                                                              \
         "subject_image projection=rectilinear", "im = 2 {f} (1 + {m}/{P}) tan({su}/2)",            \
             "definition of the projection", "in the middle of the picture"                         \
@@ -75,6 +89,15 @@ struct sky_row {
  */
 bool sky_focal_length(const struct sky_question *question, double pitch,
                       struct fov_setting *setting, struct error *error);
+
+/*
+ * The angle and distance of the subject, of which a size and one of them give the other.
+ *
+ * Given     distance  mm; inf: not given;  row  receives size, angle, distance and name
+ * Errors    ERROR_USAGE: a size with neither, or with both
+ */
+bool sky_fill_subject(const struct sky_question *question, double distance, struct sky_row *row,
+                      struct error *error);
 
 /*
  * Pixels and subject against the sky.
