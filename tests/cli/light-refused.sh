@@ -15,7 +15,7 @@ refuse exposure -N 2.8 --ev 8 --t-stop 3 --transmittance 0.9
 refuse exposure -t 1/20 --frame-rate 24 --ev 8
 refuse exposure -t 60s --film "Velvia 50"
 refuse exposure -t 2s --film "Ektar 100"
-refuse exposure -t 10s --film HP5
+refuse exposure -t 10s --film Gainer
 refuse exposure -t 10s --film "HP6 Plus"
 refuse exposure --corrected-time 150s --film "Acros 100"
 refuse exposure --corrected-time 150s -N 8

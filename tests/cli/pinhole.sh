@@ -5,7 +5,7 @@ lenscalc pinhole -f 50mm --rule rayleigh,petzval,young,airy
 lenscalc pinhole -f 50 --diameter 0.2,0.3 -s 20cm --csv
 lenscalc pinhole -f 24mm-eq --sensor 6x9 --json
 lenscalc pinhole -f 100 --metered 1/8 --metered-at 8 --explain
-for wrong in "" "-f 0" "-f 50 --diameter 7" "-f 50 --film HP5" "-f 50 -s 0" "-f 50 --rule best" \
+for wrong in "" "-f 0" "-f 50 --diameter 7" "-f 50 --metered 1s --film Gainer" "-f 50 -s 0" "-f 50 --rule best" \
     "-f 50 --metered 1/60 --film Kodachrome"; do
     lenscalc pinhole $wrong
     echo "status $?"

@@ -23,7 +23,7 @@ lenscalc visual --batch rows.csv --csv --digits 4 --columns telescope_mm,eyepiec
 for field in "--field 5deg" "--field-width 120m" "--field 6.3deg"; do
     lenscalc visual "8x42 330ft/1000yd" $field --columns true_field
 done
-for wrong in "" "10" "8in f/6" "10x42 --at 500m" "-f 1200 --aperture 200mm" "10x42 6.5kg" "8x42 330ft" "8x42 330ft/3s" "8x42 --field 330ft" \
+for wrong in "" "10" "10x42 --at 500m" "400mm f/5" "1000mm 25mm" "200mm --eyepiece 10mm" "10x50 6,5deg" "10x42 6.5kg" "8x42 330ft" "8x42 330ft/3s" "8x42 --field 330ft" \
     "--telescope 1200 --diameter 200 --eyepiece own.lens" "--telescope 1200 --diameter 200 -N 5" \
     "--telescope 1200 --diameter 200 --eyepiece 25 --power 20" "10x42 --telescope 900" \
     "7x50 --obstruction 80% --diameter 50" "--diameter 200 --obstruction 99% --power 10" \

@@ -52,7 +52,7 @@ static bool telescope_length_is_diameter(struct text word, const struct telescop
 {
     const struct telescope_length one = telescope_length_of(word);
     const bool only_power = given->eyepiece && !given->fnumber;
-    *is_diameter = given->focal;
+    *is_diameter = given->focal && !(one.length > LARGEST_DIAMETER);
     if (given->focal || given->diameter || isnan(one.length)) {
         return true;
     }

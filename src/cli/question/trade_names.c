@@ -73,6 +73,7 @@ const struct trade_name trade_hints[] = {
      "--bellows or --image"},
     {"bellows bellowsdraw bellowsextension extension", "magnification", "exposure",
      "the factor of a bellows draw: lenscalc focus 210mm --bellows 16in"},
+    {"extension bellows", "tube", NULL, NULL},
     {"metered f fstop fnumber", "metered-at", "pinhole", NULL},
     {"diopter diopters dioptre dioptres", "close-up", NULL, NULL},
     {"rate", "frame-rate", NULL, NULL},

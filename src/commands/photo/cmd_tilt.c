@@ -221,6 +221,18 @@ static bool tilt_row_solve(const struct tilt_input *input, struct tilt *camera, 
            tilt_solve(&given, camera, error);
 }
 
+/* Who says nothing of the plane of focus has it level. */
+static void tilt_take_level(struct tilt_input *own, struct warnings *doubts)
+{
+    const bool is_open = isnan(own->image) && isnan(own->distance) && isnan(own->angle);
+    const double size = isnan(own->tilt) ? own->hinge : own->tilt;
+    if (is_open && own->through == NULL && fabs(size) > 0) {
+        own->angle = copysign(PI / 2, size);
+        warnings_add(doubts, "no --angle, --distance or --image: the plane of focus is taken "
+                             "level, --angle 90deg, the sensor upright");
+    }
+}
+
 static bool tilt_run(const void *data, struct run *run, struct error *error)
 {
     struct tilt_input own = *(const struct tilt_input *)data;
@@ -238,12 +250,7 @@ static bool tilt_run(const void *data, struct run *run, struct error *error)
         return fail(error, ERROR_DOMAIN,
                     "{--sight} lies beside the camera or behind it (-90 to 90 deg, exclusive)");
     }
-    const bool is_open = isnan(own.image) && isnan(own.distance) && isnan(own.angle);
-    if (is_open && own.through == NULL && (!isnan(own.tilt) || !isnan(own.hinge))) {
-        own.angle = PI / 2;
-        warnings_add(run->doubts, "no --angle, --distance or --image: the plane of focus is taken "
-                                  "level, --angle 90deg, the sensor upright");
-    }
+    tilt_take_level(&own, run->doubts);
     if (!tilt_row_solve(input, &row.camera, error)) {
         return false;
     }
@@ -284,6 +291,7 @@ static bool draw_wedge(const struct artifact_job *job, struct output *sink, stru
     const struct tilt_input *input = &own;
     struct svg svg = {.arena = job->run->arena};
     struct tilt camera;
+    tilt_take_level(&own, NULL);
     if (!sharpness_settle(&own.sharp, PITCH_FOR_COC, NULL, error) ||
         !tilt_row_solve(input, &camera, error)) {
         return false;

@@ -12,7 +12,8 @@ bool fov_take_pixels(struct fov_input *input, struct error *error)
     const struct pixels_value *pixels = &input->pixels;
     const bool is_counted = !isnan(pixels->wide), is_sensor = !input->sensor.is_fallback;
     double pitch = input->pitch;
-    if (isnan(input->fx)) {
+    /* rows of other commands bring both, which then say the same */
+    if (isnan(input->fx) || !isnan(input->lens.focal.length)) {
         return true;
     }
     if (isnan(pitch)) {
