@@ -485,6 +485,39 @@ static void test_rail(void)
     CHECK(!dof_rail_plan(&near, 5, 1e9, 0.2, &rail, &error));
 }
 
+/* Depth by the magnification alone: the symmetric formula, and dof_compute where f is known. */
+static void test_depth_at(void)
+{
+    static const struct {
+        double f, m, N, c, P, depth;
+        const char *source;
+    } shots[] = {
+        {NAN, 1, 11, 0.015, 1, 0.66, "R. Littlefield, photomacrography.net: 0.66 mm at 1x f/11"},
+        {NAN, 5, 4, 0.015, 1, 0.0288, "2 x 4 x 0.015 x 6/25; the same table has 0.028"},
+        {NAN, 5, 4, 0.015, 2, 0.0168, "2 x 4 x 0.015 x (1/5 + 1/2)/5"},
+        {1000, 5, 4, 0.015, 1, 0.0288 / (1 - 1.44e-10), "1 - (N c/(m f))^2"},
+        {NAN, 1, 11, 0, 1, 0, "nothing but a plane is sharp"},
+        {1, 0.05, 8, 0.03, 1, INFINITY, "e = 4.8"},
+    };
+    struct error error;
+    double depth;
+    for (size_t i = 0; i < sizeof shots / sizeof *shots; i++) {
+        const struct dof_setting a = {shots[i].f, shots[i].N, shots[i].c, NAN, shots[i].P};
+        CHECK(dof_depth_at(&a, shots[i].m, &depth, &error));
+        CHECK(isinf(shots[i].depth) ? isinf(depth)
+                                    : fabs(depth - shots[i].depth) <= 1e-14 * shots[i].depth);
+    }
+    const struct dof_setting near = {60, 16, 0.03, 60 + 60 / 0.05, 1.5};
+    struct dof dof;
+    CHECK(dof_compute(&near, DOF_EXACT, &dof, &error));
+    CHECK(dof_depth_at(&near, 0.05, &depth, &error));
+    CHECK_RELATIVE(depth, dof.total, 1e-13, "dof_compute, which other programs pin");
+    CHECK(!dof_depth_at(&near, 0, &depth, &error));
+    CHECK(!dof_depth_at(&(struct dof_setting){NAN, 0, 0.03, NAN, 1}, 1, &depth, &error));
+    CHECK(!dof_depth_at(&(struct dof_setting){NAN, 8, -1, NAN, 1}, 1, &depth, &error));
+    CHECK(!dof_depth_at(&(struct dof_setting){NAN, 8, 0.03, NAN, 0}, 1, &depth, &error));
+}
+
 static void test_equal(void)
 {
     check_equal((struct dof_setting){50, 2.8, 0.03, 3000, 1}, 0.5);
@@ -532,6 +565,7 @@ int main(void)
     test_refusals();
     test_plan();
     test_rail();
+    test_depth_at();
     test_equal();
     return check_report();
 }

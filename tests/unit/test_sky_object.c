@@ -102,8 +102,21 @@ static void test_images(void)
     CHECK(strstr(error.message, "lies beyond the rectilinear projection") != NULL);
 }
 
+/* Who is as tall as the moon is wide, and from where. */
+static void test_distance(void)
+{
+    const double half_degree = 0.5 * RADIANS_PER_DEGREE;
+    CHECK_RELATIVE(sky_distance(60e3, half_degree), 6875449.0, 1e-6,
+                   "60 m/(2 tan 0.25 deg), asked: 6875 m");
+    CHECK_RELATIVE(sky_distance(2000, PI / 2), 1000.0, 1e-15, "tan 45 deg is 1");
+    CHECK_RELATIVE(sky_subtended(2000, 1000), PI / 2, 1e-15, "the same");
+    CHECK_RELATIVE(sky_subtended(60e3, sky_distance(60e3, half_degree)), half_degree, 1e-14,
+                   "back");
+}
+
 int main(void)
 {
+    test_distance();
     test_sizes();
     test_deep_sky();
     test_words();

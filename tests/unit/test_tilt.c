@@ -36,6 +36,19 @@ static void test_hinge_rule(void)
 
 /* Merklinger, View Camera, September/October 1996: 150 mm at f/11, c = 0.1 mm: H about 67 feet; at
    the hyperfocal distance the field extends J on either side of the plane. */
+/* A level plane of focus never meets the sensor's normal, whatever the tilt is rounded to. */
+static void test_level(void)
+{
+    struct error error;
+    for (int k = 1; k <= 1000; k++) {
+        struct tilt t;
+        const struct tilt_given g = {150, 22, 0.1, NAN, 150 + 3.7 * k, NAN, NAN, PI / 2};
+        CHECK(tilt_solve(&g, &t, &error));
+        CHECK(isinf(t.distance));
+        CHECK_RELATIVE(sin(t.tilt), 150 / g.hinge, 1e-14, "Merklinger's hinge rule");
+    }
+}
+
 static void test_wedge(void)
 {
     struct tilt_given g = {150, 11, 0.1, 7 * degree, NONE, NONE, NONE, 90 * degree};
@@ -289,6 +302,7 @@ static void test_refusals(void)
 int main(void)
 {
     test_hinge_rule();
+    test_level();
     test_wedge();
     test_traced();
     test_round_trips();

@@ -14,6 +14,7 @@
 #include "cli/question/distance_word.h"
 #include "cli/question/idle.h"
 #include "cli/question/inputs.h"
+#include "cli/question/settle.h"
 #include "report/terminal.h"
 
 #include <string.h>

@@ -44,13 +44,6 @@ struct arguments {
 bool arguments_parse(struct arguments *arguments, const struct command *command, int count,
                      char **words, struct arena *arena, struct error *error);
 
-/*
- * Values without their options get them, in place of what the configuration says.
- *
- * Errors    ERROR_USAGE: no option is left for one, or its option is given as well
- */
-bool arguments_settle(struct arguments *arguments, struct arena *arena, struct error *error);
-
 /* The option of this name; null if the command has none. */
 struct argument *arguments_find(const struct arguments *arguments, struct text name);
 

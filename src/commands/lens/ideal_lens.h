@@ -19,8 +19,8 @@ struct ideal_question {
     double power;  /* 1/mm, in its place */
     double radius; /* of a mirror, mm; a size */
     const char *then;
-    const char *lenses; /* focal lengths and gaps in turn, in place of the focal length and `then` */
-    int mirror; /* enum ideal_mirror */
+    const char *lenses; /* focal lengths and gaps in turn, in place of `focal` and `then` */
+    int mirror;         /* enum ideal_mirror */
 };
 
 /* Is a list of lenses as --then takes it: "gap 14cm, f -9.5cm"? For option.accepts. */

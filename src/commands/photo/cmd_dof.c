@@ -288,20 +288,24 @@ static bool dof_fill_other_format(const struct dof_question *input, struct dof_r
 }
 
 static bool run_stack(const struct dof_question *input, const struct attached_lens *attached,
-                      const struct dof_plan *plan, const char *criterion, struct run *run,
+                      struct dof_setting *setting, const char *criterion, struct run *run,
                       struct error *error)
 {
+    struct dof_plan plan;
     struct dof_row row;
+    if (!dof_question_plan(input, attached->lens, setting, &plan, error)) {
+        return false;
+    }
     row.rays = by_rays_none;
-    for (long i = 0; i < plan->count; i++) {
-        if (!dof_plan_shot(plan, i, &row.setting, &row.dof, error) ||
+    for (long i = 0; i < plan.count; i++) {
+        if (!dof_plan_shot(&plan, i, &row.setting, &row.dof, error) ||
             !photo_lens_check_subject(attached->lens, row.setting.s, error) ||
             !attached_check_reach(attached, row.setting.s, error) ||
             !dof_fill_row(input, attached, &row, error)) {
             return false;
         }
         row.shot = i + 1;
-        row.shots = plan->count;
+        row.shots = plan.count;
         row.criterion = criterion;
         if (!dof_fill_other_format(input, &row, error) || !run_emit(run, &row)) {
             return false;
@@ -364,19 +368,6 @@ static bool run_rail(const struct dof_question *input, const struct photo_lens *
     row.shots = rail.count;
     run_emit(run, &row);
     return true;
-}
-
-/* Is a magnification all that is known of lens and distance? The depth follows from it. */
-static bool has_magnification_alone(const struct dof_question *input,
-                                    const struct dof_setting *setting)
-{
-    const struct dof_targets *t = &input->targets;
-    return t->magnification > 0 && isnan(setting->f) && isnan(setting->s) && !isnan(setting->N) &&
-           !isnan(setting->c) && isnan(t->near) && isnan(t->far) && isnan(t->total) &&
-           isnan(t->hyperfocal) && isnan(input->blur_at) && isnan(input->blur_behind) &&
-           isnan(input->squeeze) && isnan(input->t_stop) && input->other.name == NULL &&
-           !attachments_any(&input->attached) && input->model == DOF_EXACT &&
-           !sharpness_is_airy(&input->sharp);
 }
 
 static bool run_magnification(const struct dof_question *input, const struct photo_lens *lens,
@@ -475,13 +466,11 @@ static bool dof_answer(const void *data, const struct photo_lens *lens, struct r
     if (input->rail) {
         return run_rail(input, attached.lens, setting, run, error);
     }
-    if (!input->stack && has_magnification_alone(input, setting)) {
+    if (dof_question_is_magnification(input, setting)) {
         return run_magnification(input, attached.lens, setting, run, error);
     }
     if (input->stack) {
-        struct dof_plan plan;
-        return dof_question_plan(input, attached.lens, setting, &plan, error) &&
-               run_stack(input, &attached, &plan, criterion, run, error);
+        return run_stack(input, &attached, setting, criterion, run, error);
     }
     if (!dof_question_solve(input, &attached, setting, error) ||
         !dof_compute(setting, (enum dof_model)input->model, &row.dof, error) ||

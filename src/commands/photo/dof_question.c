@@ -123,6 +123,18 @@ bool dof_question_solve(const struct dof_question *input, const struct attached_
            attached_check_reach(attached, setting->s, error);
 }
 
+bool dof_question_is_magnification(const struct dof_question *input,
+                                   const struct dof_setting *setting)
+{
+    const struct dof_targets *t = &input->targets;
+    return !input->stack && t->magnification > 0 && isnan(setting->f) && isnan(setting->s) &&
+           !isnan(setting->N) && !isnan(setting->c) && isnan(t->near) && isnan(t->far) &&
+           isnan(t->total) && isnan(t->hyperfocal) && isnan(input->blur_at) &&
+           isnan(input->blur_behind) && isnan(input->squeeze) && isnan(input->t_stop) &&
+           input->other.name == NULL && !attachments_any(&input->attached) &&
+           input->model == DOF_EXACT && !sharpness_is_airy(&input->sharp);
+}
+
 /* -------- what is not in focus -------- */
 
 const struct dof_background dof_background_none = {NAN, NAN, NAN, NAN, NAN, NAN};

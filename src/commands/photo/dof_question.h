@@ -47,6 +47,10 @@ extern const struct dof_background dof_background_none;
 bool dof_question_background(const struct dof_question *input, const struct dof_setting *setting,
                              double offset, struct dof_background *background, struct error *error);
 
+/* Is a magnification all that is known of lens and distance? The depth follows from it. */
+bool dof_question_is_magnification(const struct dof_question *input,
+                                   const struct dof_setting *setting);
+
 /* enum photo_lens_use: a real lens's own f-number does not count where that is what is wished. */
 int dof_question_use(const struct dof_question *input);
 

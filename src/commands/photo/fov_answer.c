@@ -245,6 +245,41 @@ static bool settle_sensor(struct fov_input *input, bool is_open, struct run *run
     return true;
 }
 
+/* A sensor that is found by both sides of a field has their shape. */
+static bool fov_check_portrait(const struct fov_input *input, bool is_open,
+                               const struct fov_goals *goals, struct error *error)
+{
+    const bool is_shaped = is_open && !isnan(goals->field_width) && !isnan(goals->field_height);
+    return !input->portrait || !is_shaped ||
+           fail(error, ERROR_USAGE,
+                "{--portrait} says nothing here: the sensor that is found has the shape of the "
+                "field");
+}
+
+/* Who asks for an angle may mean that of the view. */
+static bool fov_hint(const struct fov_input *input, const struct photo_lens *lens,
+                     const struct fov_row *row, struct error *error)
+{
+    if (isnan(lens->f) && !isnan(input->sky.angle)) {
+        return error_hint(error, "an angle of view is {--horizontal}, {--vertical} or "
+                                 "{--diagonal}; {--subject-angle} with {--subject-size} gives a "
+                                 "distance");
+    }
+    return photo_lens_hint_virtual(lens, row->setting.s, error);
+}
+
+/* Of pixels of no known size no length is known. */
+static void fov_forget_lengths(const struct fov_input *input, struct fov_row *row,
+                               struct arena *arena)
+{
+    if (input->is_bare) {
+        row->focal = row->setting.f = row->width = row->height = row->pitch = row->image = NAN;
+        row->magnification = row->crop = row->setting.P = row->sky.image = NAN;
+        row->sensor = arena_printf(arena, "%.15g x %.15g pixels of any size", input->pixels.wide,
+                                   input->pixels.high);
+    }
+}
+
 /* What is open of lens, distance and sensor, by the goals that are given. */
 static bool solve_view(struct fov_input *input, const struct photo_lens *lens, struct run *run,
                        struct fov_row *row, struct error *error)
@@ -258,7 +293,8 @@ static bool solve_view(struct fov_input *input, const struct photo_lens *lens, s
     const bool is_open = problem.sensor_is_open && !isnan(lens->f) && !isnan(row->setting.s) &&
                          (!isinf(input->distance) || !isnan(input->magnification)) &&
                          fov_goals_fields(&problem.goals) > 0;
-    if (!settle_sensor(input, is_open, run, error)) {
+    if (!fov_check_portrait(input, is_open, &problem.goals, error) ||
+        !settle_sensor(input, is_open, run, error)) {
         return false;
     }
     problem.sensor = input->sensor.size;
@@ -312,17 +348,10 @@ static bool fov_answer(const void *data, const struct photo_lens *bare, struct r
     if (input->task > 0) {
         own.density = viewing_tasks[input->task - 1].density;
     }
-    const bool has_angle = !isnan(input->sky.angle);
-    if (!solve_view(&own, lens, run, &row, error)) {
-        return isnan(lens->f) && has_angle
-                   ? error_hint(error, "an angle of view is --horizontal, --vertical or "
-                                       "--diagonal; --subject-angle with --subject-size gives "
-                                       "a distance")
-                   : photo_lens_hint_virtual(lens, row.setting.s, error);
-    }
-    if (!photo_lens_check_subject(lens, row.setting.s, error) ||
+    if (!solve_view(&own, lens, run, &row, error) ||
+        !photo_lens_check_subject(lens, row.setting.s, error) ||
         !fov_compute(&row.setting, &input->sensor.size, &row.fov, error)) {
-        return photo_lens_hint_virtual(lens, row.setting.s, error);
+        return fov_hint(input, lens, &row, error);
     }
     row.focal = isnan(input->converter) ? row.setting.f : attached.focal;
     row.width = input->sensor.size.width;
@@ -344,12 +373,7 @@ static bool fov_answer(const void *data, const struct photo_lens *bare, struct r
     row.magnification = row.setting.f / (row.setting.s - row.setting.f);
     row.crop = sensor_crop(&input->sensor.size);
     row.fx = fov_scale(&row.setting) / (row.pitch * input->squeeze);
-    if (input->is_bare) { /* of another pitch all of these are others */
-        row.focal = row.setting.f = row.width = row.height = row.pitch = row.image = NAN;
-        row.magnification = row.crop = row.setting.P = row.sky.image = NAN;
-        row.sensor = arena_printf(run->arena, "%.15g x %.15g pixels of any size",
-                                  input->pixels.wide, input->pixels.high);
-    }
+    fov_forget_lengths(input, &row, run->arena);
     row.sensor_distance = row.setting.s + row.image + lens->measuring.hiatus;
     run_emit(run, &row);
     return true;
