@@ -1,6 +1,7 @@
 /* tests/fuzz/fuzz_range.c - lists and ranges: first byte the option of dof, then its text. */
 /* SPDX-License-Identifier: MIT */
 #include "cli/question/command.h"
+#include "cli/question/settle.h"
 #include "cli/question/sweep.h"
 #include "commands/commands.h"
 #include "fuzz.h"
