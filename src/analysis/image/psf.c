@@ -263,7 +263,8 @@ static struct psf_plane psf_plane_of(const struct psf_question *question, const 
     return (struct psf_plane){.pupil = pupil,
                               .size = psf->size,
                               .pitch = psf->pitch,
-                              .spread = spread,
+                              .spread = question->is_perfect ? 0 : spread,
+                              .is_perfect = question->is_perfect,
                               .unit = psf->is_angular ? "mrad" : "um",
                               .threads = question->threads,
                               .arena = arena};
@@ -401,8 +402,8 @@ bool psf_find(const struct psf_question *question, struct arena *arena, struct p
         rays[0] += weight * centroid[0];
         rays[1] += weight * centroid[1];
     }
-    rays[0] /= light;
-    rays[1] /= light;
+    rays[0] *= question->is_perfect ? 0 : 1 / light;
+    rays[1] *= question->is_perfect ? 0 : 1 / light;
     struct psf_sums sums = {.values = ARENA_ARRAY(arena, count, double)};
     /* below pixels of this side the waves of all wavelengths are told apart, mm */
     double finest = INFINITY;
@@ -417,13 +418,12 @@ bool psf_find(const struct psf_question *question, struct arena *arena, struct p
                         .is_angular = pupils->reference.is_angular,
                         .values = sums.values,
                         .islands = pupils->islands};
+    for (size_t j = 0; j < pupils->lights.count; j++) {
+        psf->spread = fmax(psf->spread, spreads[j]);
+    }
     if (isnan(psf->pitch)) {
         /* one that tells them apart, of an image that has room for the rays */
-        double spread = 0;
-        for (size_t j = 0; j < pupils->lights.count; j++) {
-            spread = fmax(spread, spreads[j]);
-        }
-        const double room = 2 * roomy * spread / (double)psf->size;
+        const double room = 2 * roomy * psf->spread / (double)psf->size;
         psf->pitch = fmin(fmax(fine * psf->finest, room), 0.9 * psf->finest);
     }
     choose_method(question, pupils, spreads, psf);

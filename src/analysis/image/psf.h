@@ -28,6 +28,7 @@ struct psf_question {
     /* mm, or of an image infinitely far away the sine of an angle; NaN: a quarter of what the waves
        resolve, more where rays spread farther; by rays what has room for all of them */
     double pitch;
+    bool is_perfect; /* of the same pupil with W = 0, by PSF_PLANE */
 };
 
 /*
@@ -44,6 +45,7 @@ struct psf {
     double centroid_error[2]; /* from there to that of all light at most, mm */
     double width[2];          /* at half the peak, through it along x and y, mm; NaN: not inside */
     double finest;            /* above it pixels miss light between them, mm: NaN of the next */
+    double spread;            /* of rays from the chief ray, along x or y, at most, mm */
     double inside;            /* share of all light that the pixels have */
     double radius80, radius80_error; /* about the centroid, with 80 % of all light, psf_radius_find;
                                         NaN: the circle is not inside, or pixels are coarse */

@@ -146,6 +146,7 @@ bool psf_points_put(const struct psf_plane *plane, struct psf_points *points, st
     for (size_t i = 0; i < points->count; i++) {
         points->amplitudes[i] *= putting.weights[i];
         points->total += points->amplitudes[i];
+        points->waves[i] = plane->is_perfect ? 0 : points->waves[i];
     }
     return true;
 }

@@ -72,6 +72,7 @@ struct psf_plane {
     size_t size;
     double pitch;
     double spread;    /* of rays from the reference, at most: the slope of the wave front */
+    bool is_perfect;  /* W = 0 */
     const char *unit; /* of a thousandth of that, for messages */
     double *re, *im;  /* size * size, 0 at first; receive the amplitude, scaled by the pitch */
     double perfect;   /* receives the amplitude of W = 0 at the reference */
