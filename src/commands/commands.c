@@ -16,7 +16,7 @@ extern const struct command command_lens, command_surfaces, command_matrix, comm
 extern const struct command command_seidel, command_color;
 extern const struct command command_list, command_glass, command_convert;
 extern const struct command command_spot, command_fan, command_field, command_wavefront,
-    command_mtf, command_psf, command_energy;
+    command_mtf, command_psf, command_energy, command_spread;
 extern const struct command command_distortion;
 extern const struct command command_fit, command_optimize, command_tolerance, command_merge,
     command_render;
@@ -61,6 +61,7 @@ const struct command *const commands[] = {
     &command_wavefront,
     &command_psf,
     &command_energy,
+    &command_spread,
     &command_mtf,
     &command_field,
     &command_color,

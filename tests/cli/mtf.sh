@@ -20,3 +20,8 @@ for drawing in frequency.svg focus.svg field.svg; do
     grep -o '>[^<>]*</text>' $drawing | sed 's/^>//; s/<.*//' | grep -v '^[−0-9.]*$' | sort
 done
 lenscalc mtf double-gauss -N 5.6 -w d --field 0 --frequency 30,40 --defocus -0.1..0.1#3 --columns defocus --csv --plot focus.svg
+# square bars
+lenscalc mtf double-gauss -N 5.6 --field 0,14 -w d --square --csv --digits 4 --columns field,frequency,tangential,sagittal,limit,contrast_error
+lenscalc mtf double-gauss -N 5.6 --field 0 -w d --square --pitch 6um --frequency 0,40 --json --digits 3
+lenscalc mtf double-gauss -N 5.6 --field 0 -w d --square --method geometric --frequency 10 --csv --digits 3 --columns tangential,warning
+lenscalc mtf double-gauss -N 8 -w d --field 0 --square --plot bars.svg > rows && grep -o '>[^<>]*</text>' bars.svg | sed 's/^>//; s/<.*//' | grep -v '^[−0-9.]*$'

@@ -36,7 +36,7 @@ QUESTIONS = (
     "seidel @ --json", "spot @ --json", "spot @ --plot p.svg", "field @ --json", "illumination @ --json",
     "color @ --json", "wavefront @ --field 0 --rays 100 --json", "mtf @ --field 0 --frequency 20 --json",
     "psf @ --field 0 --size 32 --json", "psf @ --field 0 --size 32 --map p.png", "fan @ --json",
-    "energy @ --field 0 --json",
+    "energy @ --field 0 --json", "spread @ --field 0 --json",
     "distortion @ --json", "distortion @ --fit opencv --json", "report @ -o p.html",
     "bench @ --rays 12 --degree 3 --columns model,rms_error,warning --json",
     "fit @ --json --rays 12", "fit @ --prescription efl=50 --vary all-R --json",

@@ -75,6 +75,7 @@ ASKED = {
             "N\n5.6\n8\n"),
     "energy": ("double-gauss -N 8 --field 0 -w d --radius 5um", ("N", "8,16", "field", "0,5"),
                "N\n5.6\n8\n"),
+    "spread": ("double-gauss -N 8 --field 0 -w d", ("N", "8,16", "field", "0,5"), "N\n5.6\n8\n"),
     "fan": ("double-gauss -N 5.6 --field 0 -w d --points 3", None, "N\n4\n8\n"),
     "distortion": ("double-gauss --field 10", ("field", "5,10", "w", "486,587"),
                    "field\n5\n10\n"),

@@ -239,3 +239,53 @@ bool mtf_find(const struct mtf_source *source, double frequency, struct arena *a
     }
     return true;
 }
+
+/* -------- square bars -------- */
+
+double mtf_square_pixels(double frequency, double pitch)
+{
+    const double x = isnan(pitch) ? 0 : PI * frequency * pitch;
+    return x > 0 ? sin(x) / x : 1;
+}
+
+bool mtf_square_find(const struct mtf_source *source, double frequency, double pitch,
+                     struct arena *arena, struct mtf *mtf, struct error *error)
+{
+    enum { HARMONICS = 128 };
+    double sums[MTF_DIRECTIONS] = {0}, limits[MTF_DIRECTIONS] = {0}, off = 0;
+    const double cutoff = fmax(source->cutoff[0], source->cutoff[1]);
+    const double turned = mtf_square_pixels(frequency, pitch) < 0 ? -1 : 1;
+    struct mtf first;
+    if (!mtf_find(source, frequency, arena, &first, error)) {
+        return false;
+    }
+    *mtf = first;
+    for (int k = 0; k < HARMONICS && frequency > 0; k++) {
+        const double n = 2 * k + 1;
+        struct mtf here = first;
+        if (source->rays == NULL && n * frequency > cutoff) {
+            break;
+        }
+        if (k > 0 && !mtf_find(source, n * frequency, arena, &here, error)) {
+            return false;
+        }
+        /* half of the last, as the sum lies between it and the one before */
+        const double part = (k == HARMONICS - 1 ? 0.5 : 1) * (k % 2 == 0 ? 1 : -1) / n;
+        const double left = 4 / PI * part * turned * mtf_square_pixels(n * frequency, pitch);
+        for (size_t d = 0; d < MTF_DIRECTIONS; d++) {
+            const double phase = isnan(here.phase[d]) || isnan(first.phase[d])
+                                     ? 0
+                                     : here.phase[d] - n * first.phase[d];
+            sums[d] += left * here.contrast[d] * cos(phase);
+            limits[d] += left * here.limit[d];
+        }
+        off += fabs(left) * here.error;
+    }
+    for (size_t d = 0; d < MTF_DIRECTIONS && frequency > 0; d++) {
+        mtf->contrast[d] = sums[d];
+        mtf->limit[d] = limits[d];
+        mtf->error = off;
+        mtf->has_converged = off <= 4 * source->question->error; /* of 4/pi (1 + 1/3 + 1/5 ...) */
+    }
+    return true;
+}

@@ -68,4 +68,22 @@ bool mtf_open(const struct mtf_question *question, struct arena *arena, struct m
 bool mtf_find(const struct mtf_source *source, double frequency, struct arena *arena,
               struct mtf *mtf, struct error *error);
 
+/* What square pixels leave of a frequency, with its sign: sin(pi f p)/(pi f p); NaN p: 1. */
+double mtf_square_pixels(double frequency, double pitch);
+
+/*
+ * Contrasts of square bars, as test charts have them, between the middles of bars and gaps.
+ *
+ * Given     frequency  of pairs of a bar and a gap, 1/mm
+ *           pitch      of square pixels, whose MTF is included, mm; NaN: none
+ * Result    as mtf_find, phase that of the fundamental; the contrast of wide bars is 1, and that of
+ *           narrow ones up to 4/pi times that of sines
+ * Formula   4/pi times the sum over odd n of (-1)^((n-1)/2) M(n f)/n cos(phase(n f) - n phase(f)),
+ *           up to the cut-off, or 127 terms and half the next
+ * Source    [Coltman54]
+ * Errors    as mtf_find
+ */
+bool mtf_square_find(const struct mtf_source *source, double frequency, double pitch,
+                     struct arena *arena, struct mtf *mtf, struct error *error);
+
 #endif

@@ -438,3 +438,12 @@ bool psf_find(const struct psf_question *question, struct arena *arena, struct p
     psf_measure(psf, sums.total / (sums.perfect * psf->pitch * psf->pitch), rays, arena);
     return true;
 }
+
+bool psf_look(const struct bundle_question *bundle, struct arena *arena, struct psf *psf,
+              struct error *error)
+{
+    /* the smallest image, of the chief ray's place alone */
+    const struct psf_question asked = {
+        .bundle = *bundle, .method = PSF_PLANE, .size = 8, .pitch = 1e-9, .threads = 1};
+    return psf_find(&asked, arena, psf, error);
+}

@@ -74,4 +74,11 @@ struct psf {
 bool psf_find(const struct psf_question *question, struct arena *arena, struct psf *psf,
               struct error *error);
 
+/*
+ * What the waves resolve and how far rays spread, before an image is laid out: finest and spread,
+ * and is_angular; the rest is of no use. Errors as psf_find by PSF_PLANE.
+ */
+bool psf_look(const struct bundle_question *bundle, struct arena *arena, struct psf *psf,
+              struct error *error);
+
 #endif

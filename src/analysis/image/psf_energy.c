@@ -3,21 +3,17 @@
 #include "analysis/image/psf_energy.h"
 
 #include "base/constants.h"
+#include "base/lagrange.h"
 
 #include <math.h>
 
-enum { TAPS = 8, FEW_TAPS = 4, NODES = 4, SMALL = 160, MARGIN = 2 * TAPS };
+enum { TAPS = LAGRANGE_MOST, FEW_TAPS = LAGRANGE_FEW, SMALL = 160, MARGIN = 2 * TAPS };
 
 /* A pixel's side in resolved lengths: of a small image, and at most, see psf_radius_find. */
 static const double fine = 0.25, coarse = 0.45;
 
 /* What sums over the pupil and over the pixels leave of a share. */
 static const double least = 1e-5;
-
-static const double gauss_at[NODES] = {0.06943184420297371, 0.33000947820757187,
-                                       0.66999052179242813, 0.93056815579702629};
-static const double gauss_weights[NODES] = {0.17392742256872693, 0.32607257743127307,
-                                            0.32607257743127307, 0.17392742256872693};
 
 /* -------- images -------- */
 
@@ -41,15 +37,10 @@ static bool energy_pixels_choose(double reach, double finest, struct psf_questio
 bool psf_energy_open(const struct psf_energy_question *question, struct arena *arena,
                      struct psf_energy_image *image, struct error *error)
 {
-    enum { LOOK = 8 };
-    /* what is resolved, and how far rays spread, from the chief ray's pixel alone */
-    struct psf_question asked = {.bundle = question->bundle,
-                                 .method = PSF_PLANE,
-                                 .size = LOOK,
-                                 .pitch = 1e-9,
-                                 .threads = question->threads};
+    struct psf_question asked = {
+        .bundle = question->bundle, .method = PSF_PLANE, .threads = question->threads};
     struct psf look;
-    if (!psf_find(&asked, arena, &look, error)) {
+    if (!psf_look(&question->bundle, arena, &look, error)) {
         return false;
     }
     const double usual = look.spread + 8 * look.finest;
@@ -73,34 +64,12 @@ bool psf_energy_open(const struct psf_energy_question *question, struct arena *a
 
 /* -------- light between pixels -------- */
 
-/* Lagrange's factors of `taps` pixels about a place; the first of them. */
-static size_t energy_factors_at(double at, size_t count, size_t taps, double factors[TAPS])
-{
-    /* products of the steps between one tap and all others: (-1)^(n-1-j) j! (n-1-j)! */
-    static const double over_few[] = {-1 / 6., 1 / 2., -1 / 2., 1 / 6.};
-    static const double over_all[] = {-1 / 5040., 1 / 720., -1 / 240., 1 / 144.,
-                                      -1 / 144.,  1 / 240., -1 / 720., 1 / 5040.};
-    const double *over = taps == TAPS ? over_all : over_few;
-    const double from = floor(at) - (double)(taps / 2 - 1);
-    const size_t first = (size_t)fmax(fmin(from, (double)(count - taps)), 0);
-    double before = 1, behind = 1;
-    for (size_t j = 0; j < taps; j++) {
-        factors[j] = over[j] * before;
-        before *= at - (double)(first + j);
-    }
-    for (size_t j = taps; j-- > 0;) {
-        factors[j] *= behind;
-        behind *= at - (double)(first + j);
-    }
-    return first;
-}
-
 /* Of a place in pixels from the first. */
 static double energy_light_at(const struct psf *psf, double x, double y, size_t taps)
 {
     double across[TAPS], up[TAPS], sum = 0;
-    const size_t first_x = energy_factors_at(x, psf->size, taps, across);
-    const size_t first_y = energy_factors_at(y, psf->size, taps, up);
+    const size_t first_x = lagrange_factors(x, psf->size, taps, across);
+    const size_t first_y = lagrange_factors(y, psf->size, taps, up);
     for (size_t j = 0; j < taps; j++) {
         const double *row = psf->values + (first_y + j) * psf->size + first_x;
         double of_row = 0;
@@ -119,15 +88,16 @@ static double energy_of_ring(const struct psf *psf, const double centre[2], cons
     const double panels = ceil((radii[1] - radii[0]) / 2), width = (radii[1] - radii[0]) / panels;
     double sum = 0;
     for (double panel = 0; panel < panels; panel++) {
-        for (int i = 0; i < NODES; i++) {
-            const double r = radii[0] + (panel + gauss_at[i]) * width, steps = 16 + ceil(4 * r);
+        for (int i = 0; i < LAGRANGE_NODES; i++) {
+            const double r = radii[0] + (panel + lagrange_nodes[i]) * width,
+                         steps = 16 + ceil(4 * r);
             double around = 0;
             for (double j = 0; j < steps; j++) {
                 const double angle = 2 * PI * j / steps;
                 around += energy_light_at(psf, centre[0] + r * cos(angle),
                                           centre[1] + r * sin(angle), taps);
             }
-            sum += width * gauss_weights[i] * r * (2 * PI / steps) * around;
+            sum += width * lagrange_weights[i] * r * (2 * PI / steps) * around;
         }
     }
     return sum;
@@ -140,10 +110,11 @@ static double *energy_row_weights(double low, double high, size_t size, size_t t
     double *weights = ARENA_ARRAY(arena, size, double), factors[TAPS];
     for (double cell = floor(low); cell < high; cell++) {
         const double from = fmax(cell, low), width = fmin(cell + 1, high) - from;
-        for (int i = 0; i < NODES; i++) {
-            const size_t first = energy_factors_at(from + gauss_at[i] * width, size, taps, factors);
+        for (int i = 0; i < LAGRANGE_NODES; i++) {
+            const size_t first =
+                lagrange_factors(from + lagrange_nodes[i] * width, size, taps, factors);
             for (size_t k = 0; k < taps; k++) {
-                weights[first + k] += gauss_weights[i] * width * factors[k];
+                weights[first + k] += lagrange_weights[i] * width * factors[k];
             }
         }
     }

@@ -25,20 +25,21 @@ static const double along_turn = 1.75, across_turn = 3.3;
 struct point_placer {
     const struct psf_plane *plane;
     struct psf_points *points;
-    double *weights, turns[2];
+    double *weights;
+    double half[2], turns[2]; /* of the pupil and of the phase: along lines, and across them */
     struct gauss_rules *rules;
 };
 
-/* Turns of the phase across the pupil in one direction, at a distance from the reference, mm. */
-static double turns_across(const struct psf_plane *plane, int k, double far)
+/* Turns of the phase across half a width of the pupil and the other, so far from the reference. */
+static double turns_across(const struct psf_plane *plane, double half, double far)
 {
-    return 2 * plane->pupil->half[k] * (far + plane->spread) * plane->pupil->n *
-           plane->pupil->waves;
+    return 2 * half * (far + plane->spread) * plane->pupil->n * plane->pupil->waves;
 }
 
 static double turns_at(const struct psf_plane *plane, double far)
 {
-    return fmax(turns_across(plane, 0, far), turns_across(plane, 1, far));
+    const double *half = plane->pupil->half;
+    return fmax(turns_across(plane, half[0], far), turns_across(plane, half[1], far));
 }
 
 static double psf_points_farthest(const struct psf_plane *plane)
@@ -79,30 +80,33 @@ bool psf_points_fit(const struct psf_plane *plane, struct error *error)
 
 static size_t points_along(const struct point_placer *putting, double length)
 {
-    const double share = length / (2 * putting->plane->pupil->half[0]);
+    const double share = length / (2 * putting->half[0]);
     return LEAST + (size_t)(along_turn * putting->turns[0] * fmin(share, 1));
 }
 
 static size_t lines_across(const struct point_placer *putting, const struct exit_piece *piece)
 {
-    const double share = (piece->high - piece->low) / (2 * putting->plane->pupil->half[1]);
+    const double share = (piece->high - piece->low) / (2 * putting->half[1]);
     return LEAST + (size_t)(across_turn * putting->turns[1] * fmin(share, 1));
 }
 
 bool psf_points_put(const struct psf_plane *plane, struct psf_points *points, struct error *error)
 {
-    static const double across_x[2] = {1, 0};
+    const bool is_x = !(hypot(plane->along[0], plane->along[1]) > 0);
+    const double along_line[2] = {is_x ? 1 : plane->along[0], is_x ? 0 : plane->along[1]};
+    const double *box = plane->pupil->half;
     struct arena *arena = plane->arena;
     struct exit_lines *lines = ARENA_NEW(arena, struct exit_lines);
-    struct point_placer putting = {.plane = plane,
-                                   .points = points,
-                                   .turns = {turns_across(plane, 0, psf_points_farthest(plane)),
-                                             turns_across(plane, 1, psf_points_farthest(plane))},
-                                   .rules = gauss_rules_new(arena)};
+    struct point_placer putting = {
+        .plane = plane, .points = points, .rules = gauss_rules_new(arena)};
+    for (int k = 0; k < 2; k++) {
+        putting.half[k] = fabs(along_line[k]) * box[0] + fabs(along_line[1 - k]) * box[1];
+        putting.turns[k] = turns_across(plane, putting.half[k], psf_points_farthest(plane));
+    }
     if (!psf_points_fit(plane, error)) {
         return false;
     }
-    exit_lines_find(plane->pupil, across_x, arena, lines);
+    exit_lines_find(plane->pupil, along_line, arena, lines);
     const size_t along = points_along(&putting, INFINITY) + EXIT_SPANS * (LEAST + MORE);
     size_t line_room = 0;
     for (size_t p = 0; p < lines->count; p++) {
@@ -110,7 +114,8 @@ bool psf_points_put(const struct psf_plane *plane, struct psf_points *points, st
     }
     *putting.points =
         (struct psf_points){.at = arena_array(arena, line_room * along, sizeof(double[2])),
-                            .ends = ARENA_ARRAY(arena, line_room, size_t)};
+                            .ends = ARENA_ARRAY(arena, line_room, size_t),
+                            .widths = ARENA_ARRAY(arena, line_room, double)};
     putting.weights = ARENA_ARRAY(arena, line_room * along, double);
     for (size_t p = 0; p < lines->count; p++) {
         const struct exit_piece *piece = &lines->pieces[p];
@@ -122,6 +127,7 @@ bool psf_points_put(const struct psf_plane *plane, struct psf_points *points, st
             double slope;
             const double t =
                 exit_piece_at(piece, PI * (gauss_panels_at(&rows, i) - 0.5), &slope, &spans);
+            const double width = (PI * gauss_panels_weight(&rows, i)) * slope;
             for (size_t j = 0; j < spans.count; j++) {
                 const double low = spans.edges[2 * j], length = spans.edges[2 * j + 1] - low;
                 if (!(length > 0)) {
@@ -130,12 +136,14 @@ bool psf_points_put(const struct psf_plane *plane, struct psf_points *points, st
                 const struct gauss_panels rule =
                     gauss_panels_of(putting.rules, (double)points_along(&putting, length));
                 for (size_t k = 0; k < rule.each * rule.panels; k++, points->count++) {
-                    points->at[points->count][0] = low + length * gauss_panels_at(&rule, k);
-                    points->at[points->count][1] = t;
-                    putting.weights[points->count] = (PI * gauss_panels_weight(&rows, i)) * slope *
-                                                     length * gauss_panels_weight(&rule, k);
+                    const double s = low + length * gauss_panels_at(&rule, k);
+                    for (int m = 0; m < 2; m++) {
+                        points->at[points->count][m] = s * lines->along[m] + t * lines->across[m];
+                    }
+                    putting.weights[points->count] = width * length * gauss_panels_weight(&rule, k);
                 }
             }
+            points->widths[points->lines] = width;
             points->ends[points->lines++] = points->count;
         }
     }

@@ -77,6 +77,7 @@ struct psf_plane {
     double *re, *im;  /* size * size, 0 at first; receive the amplitude, scaled by the pitch */
     double perfect;   /* receives the amplitude of W = 0 at the reference */
     int threads;      /* that may work on it, for wavelets */
+    double along[2];  /* of unit length, that lines of points follow; 0, 0: x */
     struct arena *arena;
 };
 
@@ -86,9 +87,10 @@ psf_way psf_by_plane, psf_by_fft, psf_by_huygens;
 
 /* Points of the pupil, line by line. */
 struct psf_points {
-    double (*at)[2];            /* direction cosines; a line has one of the second */
+    double (*at)[2];            /* direction cosines; a line along x has one of the second */
     double *waves, *amplitudes; /* W, wavelengths; times what each counts */
     size_t *ends;               /* behind each line */
+    double *widths;             /* of each line, which its amplitudes are times */
     size_t lines, count;
     double total; /* of the amplitudes */
 };

@@ -3,14 +3,15 @@
 #include "analysis/image/psf_radius.h"
 
 #include "base/constants.h"
+#include "base/lagrange.h"
 
 #include <math.h>
 
 enum {
     STEPS = 64,     /* a radius at least, where pixels are fine */
     MOST_FINE = 32, /* steps a pixel at most */
-    TAPS = 8,
-    FEW_TAPS = 4,
+    TAPS = LAGRANGE_MOST,
+    FEW_TAPS = LAGRANGE_FEW,
     HALVINGS = 30
 };
 
@@ -89,21 +90,6 @@ static double field_radius(const struct field *field, struct arena *arena)
     return (low + high) / 2;
 }
 
-/* Lagrange's factors of equal steps at a place among `count` of them; the first that counts. */
-static size_t psf_radius_stencil_at(double at, size_t count, size_t taps, double factors[TAPS])
-{
-    const double from = floor(at) - (double)(taps / 2 - 1);
-    const size_t first = (size_t)fmax(fmin(from, (double)(count - taps)), 0);
-    for (size_t j = 0; j < taps; j++) {
-        factors[j] = 1;
-        for (size_t k = 0; k < taps; k++) {
-            const double step = (double)j - (double)k;
-            factors[j] *= k == j ? 1 : (at - (double)(first + k)) / step;
-        }
-    }
-    return first;
-}
-
 /* `steps` a pixel within `half` pixels of the middle, by polynomials through `taps` pixels. */
 static struct field field_between(const struct field *pixels, size_t steps, double half,
                                   size_t taps, struct arena *arena)
@@ -117,7 +103,7 @@ static struct field field_between(const struct field *pixels, size_t steps, doub
     const size_t end = (size_t)fmin(pixels->middle[1] + room, (double)pixels->side);
     for (size_t x = 0; x < side; x++) {
         const double at = pixels->middle[0] + ((double)x - (double)reach) * step;
-        const size_t first = psf_radius_stencil_at(at, pixels->side, taps, factors);
+        const size_t first = lagrange_factors(at, pixels->side, taps, factors);
         for (size_t y = lowest; y < end; y++) {
             double sum = 0;
             for (size_t j = 0; j < taps; j++) {
@@ -128,7 +114,7 @@ static struct field field_between(const struct field *pixels, size_t steps, doub
     }
     for (size_t y = 0; y < side; y++) {
         const double at = pixels->middle[1] + ((double)y - (double)reach) * step;
-        const size_t first = psf_radius_stencil_at(at, pixels->side, taps, factors);
+        const size_t first = lagrange_factors(at, pixels->side, taps, factors);
         for (size_t x = 0; x < side; x++) {
             double sum = 0;
             for (size_t j = 0; j < taps; j++) {

@@ -24,6 +24,8 @@ static const struct option options[] = {
     {OPTION(struct mtf_input, pitch), .name = "pitch", .dimension = &dimension_length, .unit = "um",
      .lowest = 0, .highest = 1, .flags = OPTION_ABOVE_LOWEST, .value = "LENGTH",
      .help = "pitch of square pixels, whose MTF is included"},
+    {OPTION(struct mtf_input, square), .name = "square",
+     .help = "contrast of square bars, as on test charts, in place of sines"},
     ANALYSIS_AIM_OPTION(NULL, "pupil that limits the beam"),
     {OPTION(struct mtf_input, question.error), .name = "error", .column = "error_wanted",
      .dimension = &dimension_number, .lowest = 1e-8, .highest = 0.1, .fallback = "1e-4",
@@ -36,7 +38,7 @@ struct mtf_row {
     double frequency;
     struct mtf mtf;
     double limit, cutoff[MTF_DIRECTIONS]; /* cutoff: 1/mm */
-    const char *method;
+    const char *method, *bars;
 };
 
 #define PLAIN(member_name, more) COLUMN(struct mtf_row, member_name), .flags = (more)
@@ -74,6 +76,8 @@ static const struct column columns[] = {
      .help = "estimated error of the contrasts"},
     {PLAIN(method, COLUMN_ASSUMED), .name = "method", .depends = "method",
      .help = "diffraction or geometric MTF"},
+    {PLAIN(bars, COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_TIED), .name = "bars", .with = "square",
+     .depends = "square", .help = "what the contrasts are of, where not of sines"},
     ANALYSIS_SPECTRUM_COLUMN,
     ANALYSIS_TAIL_COLUMNS,
 };
@@ -138,6 +142,7 @@ static bool mtf_run(const void *data, struct run *run, struct error *error)
             analysis_begin_row(&at, &sheet, &row);
             row.frequency = input->frequency;
             row.method = words[input->method];
+            row.bars = input->square ? "square, by the sines that they are made of" : NULL;
             if (at.lost == NULL) {
                 row.frequency = found->frequencies[i];
                 row.mtf = found->contrasts[i];
@@ -181,6 +186,7 @@ static const struct example examples[] = {
     {"mtf double-gauss -N 2.8,5.6,11 --field 0 --frequency 40", "stopped down"},
     {"mtf double-gauss -N 5.6 --field 0,14 --frequency 30 --defocus -0.2..0.2#21 --plot focus.svg",
      "through focus, drawn"},
+    {"mtf double-gauss -N 5.6 --field 0 --square", "of square bars, as on a test chart"},
     {"mtf double-gauss --method geometric --frequency 10 --pitch 6um", "geometric, with pixels"},
     {NULL, NULL},
 };

@@ -26,17 +26,19 @@ bool mtf_field_open(const struct analysis_cursor *at, const struct analysis_case
 /* What the pixels leave of the contrast at a frequency. */
 static double mtf_pixels(const struct mtf_input *input, double frequency)
 {
-    const double x = isnan(input->pitch) ? 0 : frequency * input->pitch;
-    return x > 0 ? fabs(sin(PI * x) / (PI * x)) : 1; /* of a square */
+    return fabs(mtf_square_pixels(frequency, input->pitch));
 }
 
 bool mtf_with_pixels(const struct mtf_source *source, const struct mtf_input *input,
                      double frequency, struct arena *arena, struct mtf *mtf, struct error *error)
 {
+    if (input->square) {
+        return mtf_square_find(source, frequency, input->pitch, arena, mtf, error);
+    }
+    const double left = mtf_pixels(input, frequency);
     if (!mtf_find(source, frequency, arena, mtf, error)) {
         return false;
     }
-    const double left = mtf_pixels(input, frequency);
     for (size_t k = 0; k < MTF_DIRECTIONS; k++) {
         mtf->contrast[k] *= left;
         mtf->limit[k] *= left;
@@ -47,8 +49,8 @@ bool mtf_with_pixels(const struct mtf_source *source, const struct mtf_input *in
 /* -------- the drawing -------- */
 
 /* COLOURS: of curves before they come again; DOTTED: the dashes of the limit. */
-enum { COLOURS = 7, DOTTED = 3 };
-enum { STEPS = 241, FIRST_STEPS = 17, MOST = 16384, CURVES_MOST = 14, FIELDS_MANY = 4 };
+enum { COLOURS = 7, DOTTED = 3, CURVES_MOST = 14, FIELDS_MANY = 4 };
+enum { STEPS = 241, FIRST_STEPS = 17, MOST = 16384 };
 
 /* The default of --error; below it a drawing is made of exact points too. */
 static const double usual_error = 1e-4;
@@ -114,7 +116,8 @@ static bool figure_find_curve(struct figure_painter *painter, const struct mtf_s
     enum { LEAST = 8, TRIES = 24, STEPS_LEAST = 61 };
     const struct mtf_input *input = painter->input;
     const bool may_cut = painter->count == 0 && isnan(input->frequency);
-    if (input->method != MTF_BY_WAVES || input->question.error < usual_error || !(*highest > 0)) {
+    if (input->square || input->method != MTF_BY_WAVES || input->question.error < usual_error ||
+        !(*highest > 0)) {
         return false;
     }
     for (*steps = STEPS; *steps >= STEPS_LEAST; *steps = *steps / 2 + 1) {
@@ -246,9 +249,10 @@ static bool figure_add(struct figure_painter *painter, const struct analysis_cur
                                  .lens = one->setup->lens->title,
                                  .is_between = painter->is_between};
     const char *method = painter->input->method == MTF_BY_RAYS ? "geometric" : "diffraction";
+    const char *bars = painter->input->square ? ", square bars; " : "; ";
     const unsigned parts =
         FIGURE_ALL & ~(painter->axis == BY_FOCUS ? (unsigned)FIGURE_DEFOCUS : 0u);
-    painter->subtitle = ARENA_JOIN(arena, method, "; ", analysis_figure_words(one, parts, arena));
+    painter->subtitle = ARENA_JOIN(arena, method, bars, analysis_figure_words(one, parts, arena));
     painter->is_angle = !isnan(point.field);
     if (painter->axis == BY_FREQUENCY) {
         return figure_add_curve(painter, source, &place, error);

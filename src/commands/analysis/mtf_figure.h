@@ -12,6 +12,7 @@ struct mtf_input {
     struct analysis_question question;
     double frequency, pitch; /* 1/mm, mm; NaN = not given */
     int method;
+    bool square; /* bars in place of sines */
 };
 
 extern const struct analysis_policy mtf_policy;
