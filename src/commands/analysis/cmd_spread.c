@@ -157,6 +157,7 @@ static bool spread_drawing_add(struct spread_drawing *drawing, const struct anal
             y[k][i] = drawing->draws == SPREAD_LINE ? spread.line[k] / 1000 : spread.edge[k];
         }
     }
+    const size_t style = drawing->count / MTF_DIRECTIONS;
     for (size_t k = 0; k < MTF_DIRECTIONS; k++) {
         const char *name = analysis_field_words(at->one, at->field, arena);
         drawing->series[drawing->count++] =
@@ -165,7 +166,7 @@ static bool spread_drawing_add(struct spread_drawing *drawing, const struct anal
                                  .y = y[k],
                                  .count = POINTS,
                                  .places = places,
-                                 .style = drawing->count / MTF_DIRECTIONS,
+                                 .style = style,
                                  .dash = k + 1};
     }
     drawing->lens = at->one->setup->lens->title;
