@@ -309,10 +309,9 @@ static bool energy_figure(const struct artifact_job *job, struct output *sink, s
         while (energy_next(&at, error)) {
             drawing.lens = at.one->setup->lens->title;
             drawing.is_angular = isnan(at.one->setup->image);
-            drawing.subtitle = arena_printf(
-                svg.arena, "encircled about %s; dashed: in squares; dotted: diffraction limit%s%s",
-                energy_reference_words(&input), drawing.is_angular ? "" : "; focus ",
-                drawing.is_angular ? "" : at.one->setup->focus);
+            drawing.subtitle = ARENA_JOIN(
+                svg.arena, input.reference == ENERGY_ABOUT_CHIEF ? "about the chief ray; " : "",
+                analysis_figure_words(at.one, FIGURE_ALL & ~(unsigned)FIGURE_DEFOCUS, svg.arena));
             if (at.lost == NULL && !energy_drawing_add(&drawing, &at, error)) {
                 return false;
             }
@@ -329,7 +328,7 @@ static bool energy_figure(const struct artifact_job *job, struct output *sink, s
         .subtitle = drawing.subtitle,
         .x_label = drawing.is_angular ? "radius, half the side of squares (mrad)"
                                       : "radius, half the side of squares (\xc2\xb5m)",
-        .y_label = "share of the light (%)",
+        .y_label = "share of the light (%), dashed: in squares",
         .series = drawing.series,
         .series_count = drawing.count};
     return plot_draw(&plot, &svg, error) && drawing_write(job, &svg, sink, error);

@@ -130,7 +130,7 @@ struct spread_drawing {
     double farthest; /* NaN: as far as is usual */
     struct plot_series series[MTF_DIRECTIONS * CURVES_MOST];
     size_t count;
-    const char *lens, *focus;
+    const char *lens, *words;
 };
 
 static bool spread_drawing_add(struct spread_drawing *drawing, const struct analysis_cursor *at,
@@ -170,7 +170,7 @@ static bool spread_drawing_add(struct spread_drawing *drawing, const struct anal
                                  .dash = k + 1};
     }
     drawing->lens = at->one->setup->lens->title;
-    drawing->focus = at->one->setup->focus;
+    drawing->words = analysis_figure_words(at->one, FIGURE_ALL & ~(unsigned)FIGURE_DEFOCUS, arena);
     return true;
 }
 
@@ -211,7 +211,7 @@ static bool spread_figure(const struct artifact_job *job, struct output *sink, s
     const struct plot plot = {
         .title =
             arena_printf(svg.arena, "%s spread of %s", is_line ? "Line" : "Edge", drawing.lens),
-        .subtitle = ARENA_JOIN(svg.arena, "diffraction; dashed: sagittal; focus ", drawing.focus),
+        .subtitle = ARENA_JOIN(svg.arena, "dashed: sagittal; ", drawing.words),
         .x_label = "distance from the chief ray (\xc2\xb5m)",
         .y_label = is_line ? "share of the light (1/\xc2\xb5m)" : "light of an edge",
         .series = drawing.series,

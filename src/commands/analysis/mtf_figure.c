@@ -96,11 +96,6 @@ static struct figure_entry *new_entry(struct figure_painter *painter,
     return entry;
 }
 
-static void note_off(struct figure_painter *painter, double off)
-{
-    painter->off = isfinite(off) ? fmax(painter->off, off) : painter->off;
-}
-
 /*
  * Contrasts at once, up to where the wave front is not too steep: a first curve says how far the
  * drawing goes, others may end before. Wider steps, which want a coarser grid, would show corners:
@@ -156,7 +151,7 @@ static bool contrasts_at(void *context, double frequency, double *y)
     }
     memcpy(y, mtf.contrast, sizeof mtf.contrast);
     y[MTF_DIRECTIONS] = fmax(mtf.limit[0], mtf.limit[1]);
-    note_off(painter, mtf.error);
+    painter->off = isfinite(mtf.error) ? fmax(painter->off, mtf.error) : painter->off;
     return true;
 }
 
@@ -216,7 +211,8 @@ static bool figure_add_curve(struct figure_painter *painter, const struct mtf_so
     if (!found) {
         return add_contrasts(painter, source, highest, place, error);
     }
-    note_off(painter, fmax(source->off[0], source->off[1]));
+    const double off = fmax(source->off[0], source->off[1]);
+    painter->off = isfinite(off) ? fmax(painter->off, off) : painter->off;
     for (size_t i = 0; i < count; i++) {
         struct figure_entry *entry = new_entry(painter, place, error);
         if (entry == NULL) {
@@ -250,9 +246,9 @@ static bool figure_add(struct figure_painter *painter, const struct analysis_cur
                                  .is_between = painter->is_between};
     const char *method = painter->input->method == MTF_BY_RAYS ? "geometric" : "diffraction";
     const char *bars = painter->input->square ? ", square bars; " : "; ";
-    const unsigned parts =
-        FIGURE_ALL & ~(painter->axis == BY_FOCUS ? (unsigned)FIGURE_DEFOCUS : 0u);
-    painter->subtitle = ARENA_JOIN(arena, method, bars, analysis_figure_words(one, parts, arena));
+    const unsigned no = painter->axis == BY_FOCUS ? FIGURE_DEFOCUS : 0;
+    const char *words = analysis_figure_words(one, FIGURE_ALL & ~no, arena);
+    painter->subtitle = ARENA_JOIN(arena, method, bars, words);
     painter->is_angle = !isnan(point.field);
     if (painter->axis == BY_FREQUENCY) {
         return figure_add_curve(painter, source, &place, error);
