@@ -29,7 +29,7 @@ MOST = 1.0  # s of processor time
 CARD = "render chart:edge -s 1 --size 8x6 --samples 1 --threads 1"
 # What is asked of the file @: as a lens, and as every other kind of file.
 QUESTIONS = (
-    "lens @ --json", "lens @ --position all --lossy", "surfaces @ --json", "matrix @ --json",
+    "lens @ --json", "lens @ --position all --lossy", "surfaces @ --json", "sag @ --height 0.1 --json", "matrix @ --json",
     "conjugate @ --object 1m --json", "trace @ --json", "trace @ --pattern gauss --rays 18 --csv",
     "trace @ --pupil-point 0.3:0.5 --field 60deg --json", "check @ --json", "check @ --plot p.svg",
     "pupil @ --json", "pupil @ --height 5 --json", "draw @", "draw @ --lossy",

@@ -51,6 +51,8 @@ ASKED = {
     "lensmaker": ("--r1 50 --r2 -50 -n 1.5168 -d 5", ("r1", "40,50", "d", "4,5"), "d\n4\n5\n"),
     "lens": ("double-gauss -N 5.6 -w d", ("N", "4,8", "w", "486,587"), "N\n4\n8\n"),
     "surfaces": ("double-gauss -N 5.6", None, "N\n4\n8\n"),
+    "sag": ("double-gauss --surface 1 --height 5", ("surface", "1,2", "height", "5,10"),
+            "height\n5\n10\n"),
     "matrix": ("double-gauss", None, "w\n486\n587\n"),
     "conjugate": ("double-gauss --object 1m -N 5.6 -w d", ("object", "1m,2m", "w", "486,587"),
                   "w\n486\n587\n"),

@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "commands/lens/lens_options.h"
 #include "commands/tables.h"
+#include "optics/surface_shape.h"
 
 struct surfaces_input {
     struct lens_question question;
@@ -30,6 +31,7 @@ struct surfaces_row {
     double radius, thickness, index, diameter, conic, power;
     double vergence_before, vergence_after;
     struct paraxial_ray marginal, chief;
+    double edge_thickness, volume, mass; /* of the glass behind it; mm, mm^3, g */
 };
 
 #define ROW struct surfaces_row
@@ -83,6 +85,13 @@ static const struct column columns[] = {
     {PLAIN(chief.after, COLUMN_BRIEF | COLUMN_SPARSE), .name = "chief_v", .symbol = "vbar",
      .head = "vbar", .label = "n u of the chief ray",
      .help = "n u of the chief ray after the surface; absent without a stop or a field"},
+    {MM(edge_thickness, 0), .name = "edge_thickness", .label = "edge thickness",
+     .help = "of the glass behind it, at the rim of the larger diameter; absent where a diameter "
+             "is not stated"},
+    {PLAIN(volume, 0), .name = "volume_mm3", .label = "volume, mm3",
+     .help = "of that glass, a cylinder between both surfaces"},
+    {MEASURED(mass, mass, "g"), .flags = 0, .name = "mass",
+     .help = "of that glass; absent where no catalogue states its density"},
     LENS_TITLE_COLUMN(ROW, lens),
     LENS_WARNING_COLUMN(ROW, warning),
 };
@@ -110,6 +119,22 @@ static struct paraxial_ray *surfaces_follow(const struct lens_case *one, double 
     struct paraxial_ray *rays = ARENA_ARRAY(arena, one->light.system.count, struct paraxial_ray);
     paraxial_follow(&one->light.system, pair_of(y), pair_of(v), rays);
     return rays;
+}
+
+/* The glass behind a surface. */
+static void surfaces_weigh(const struct lens *lens, size_t i, struct surfaces_row *row)
+{
+    const struct surface *surface = &lens->surfaces[i];
+    row->edge_thickness = row->volume = row->mass = NAN;
+    if (i + 1 < lens->surface_count && surface_has(surface, SURFACE_HAS_MEDIUM) &&
+        surface_has(surface, SURFACE_HAS_CURVE) && !surface_reflects(surface) &&
+        !medium_is_air(&surface->medium)) {
+        const struct glass_shape shape = glass_shape_behind(lens, i);
+        row->edge_thickness = shape.edge_thickness;
+        row->volume = shape.volume;
+        row->mass = surface->medium.density > 0 ? shape.volume * surface->medium.density / 1000
+                                                : (double)NAN;
+    }
 }
 
 static bool surfaces_run(const void *data, struct run *run, struct error *error)
@@ -153,6 +178,7 @@ static bool surfaces_run(const void *data, struct run *run, struct error *error)
                 .marginal = marginal[i],
                 .chief = chief[i],
             };
+            surfaces_weigh(lens, i, &row);
             if (i == at.one.light.system.stop && !isnan(row.chief.y)) {
                 row.chief.y = 0; /* by definition, where the trace leaves 1e-16 */
             }
