@@ -12,7 +12,8 @@ extern const struct command command_tilt, command_panorama, command_timelapse;
 extern const struct command command_survey, command_projector;
 extern const struct command command_refract, command_lensmaker;
 extern const struct command command_trace, command_check, command_pupil, command_draw;
-extern const struct command command_lens, command_surfaces, command_sag, command_matrix, command_conjugate;
+extern const struct command command_lens, command_surfaces, command_sag, command_matrix,
+    command_conjugate;
 extern const struct command command_seidel, command_color;
 extern const struct command command_list, command_glass, command_convert;
 extern const struct command command_spot, command_fan, command_field, command_wavefront,

@@ -1,4 +1,4 @@
-/* optics/surface_shape.h - shapes of surfaces and of the glass between two: slopes, edges, volumes. */
+/* optics/surface_shape.h - surfaces and the glass between two: slopes, edges, volumes. */
 /* SPDX-License-Identifier: MIT */
 #ifndef LENSCALC_OPTICS_SURFACE_SHAPE_H
 #define LENSCALC_OPTICS_SURFACE_SHAPE_H
