@@ -3,26 +3,23 @@
 #include "draw/plot.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/arena.h"
 #include "base/error.h"
 #include "draw/palette.h"
 #include "draw/plot_frame.h"
+#include "draw/plot_keys.h"
 #include "draw/svg.h"
 #include "draw/ticks.h"
 
 static const double NUMBER_SIZE = 12, LABEL_SIZE = 13, TITLE_SIZE = 17; /* px */
 static const size_t STRETCHES = 1000;                                   /* about one a pixel */
 static const size_t DOTS_MAX = 30;
+static const double BAND_TINT = 0.14; /* of their colour */
 
 #define ARROWS 64
-
-/* For round line ends, which lengthen each by the line's width, and for black-and-white print. */
-static const char *const dashes[] = {NULL,        "7 5",      "0.1 4.5",
-                                     "9 5 0.1 5", "13 5 3 5", "8 5 0.1 4 0.1 5"};
-
-#define COUNT(array) (sizeof(array) / sizeof((array)[0]))
 
 struct plot_frame {
     struct plot_axis x, y;
@@ -41,7 +38,7 @@ static void draw_minor(struct svg *svg, const struct plot_frame *frame,
                        const struct plot_axis *axis)
 {
     double decades = log10(axis->high) - log10(axis->low);
-    if (!axis->log || decades > 6) {
+    if (!axis->log || decades > 6 || axis->ticks.text[0] != NULL) {
         return;
     }
     for (double decade = floor(log10(axis->low)); decade <= log10(axis->high); decade++) {
@@ -180,6 +177,17 @@ static void plot_add_point(struct plot_points *points, double x, double y)
 }
 
 /*
+ * The edge at which a curve comes back to a finite value, px: that of the infinity it was at, or at
+ * a pole, where it changes its sign, the one beyond which the value lies.
+ */
+static double comes_from(const struct plot_axis *axis, double before, double v)
+{
+    const double at = plot_page_at(axis, v);
+    const bool is_below = at > axis->start || (before < 0 && at >= axis->stop);
+    return is_below ? axis->start : axis->stop;
+}
+
+/*
  * The points of a curve on the page. Between a finite and an infinite value it runs vertically to
  * the edge at the finite one's x, and on along the edge if it is the `edge` of an area.
  */
@@ -196,11 +204,11 @@ static struct plot_points plot_trace(const struct plot *plot, const struct plot_
         double v = plot_y_at(plot, series, index[i]);
         double x = plot_page_at(&frame->x, plot_x_at(plot, series, index[i]));
         double leaves = isinf(v) ? v : before, off = leaves > 0 ? frame->y.stop : frame->y.start;
-        if (isinf(v) && isfinite(before)) {
+        if (isinf(v) && before >= frame->y.low && before <= frame->y.high) {
             plot_add_point(&points, before_x, off);
         }
-        if (isinf(before) && isfinite(v)) {
-            plot_add_point(&points, x, off);
+        if (isinf(before) && v >= frame->y.low && v <= frame->y.high) {
+            plot_add_point(&points, x, comes_from(&frame->y, before, v));
         }
         double y = NAN;
         if (isfinite(v)) {
@@ -213,6 +221,40 @@ static struct plot_points plot_trace(const struct plot *plot, const struct plot_
         before_x = x;
     }
     return points;
+}
+
+/* A tenth of a colour over the page. */
+static const char *plot_tint(struct arena *arena, const char *colour)
+{
+    const long value = strtol(colour + 1, NULL, 16);
+    long tint = 0;
+    for (int shift = 16; shift >= 0; shift -= 8) {
+        const double part = (double)(value >> shift & 255);
+        tint = tint << 8 | lround(255 - BAND_TINT * (255 - part));
+    }
+    return arena_printf(arena, "#%06lx", (unsigned long)tint & 0xffffff);
+}
+
+/* How much of the page a band covers, px^2 of its samples. */
+static double band_area(const struct plot *plot, const struct plot_frame *frame,
+                        const struct plot_band *band)
+{
+    const struct plot_axis *axis = &frame->y;
+    const struct plot_series *low = &plot->series[band->low];
+    double area = 0;
+    for (size_t i = 0; i + 1 < plot_series_count(plot, low); i++) {
+        double y[2] = {plot_y_at(plot, low, i), INFINITY};
+        if (band->high != PLOT_UNBOUNDED) {
+            y[1] = plot_y_at(plot, &plot->series[band->high], i);
+        }
+        const double step = fabs(plot_page_at(&frame->x, plot_x_at(plot, low, i + 1)) -
+                                 plot_page_at(&frame->x, plot_x_at(plot, low, i)));
+        for (int k = 0; k < 2; k++) {
+            y[k] = isinf(y[k]) ? axis->stop : fmax(plot_page_at(axis, y[k]), axis->stop);
+        }
+        area += isfinite(step * (y[0] - y[1])) ? step * fabs(y[0] - y[1]) : 0;
+    }
+    return area;
 }
 
 /* The band in every stretch where both curves have values; stretches below a pixel are left out. */
@@ -251,42 +293,103 @@ static void draw_band(struct svg *svg, const struct plot *plot, const struct plo
     }
 }
 
-static struct svg_style plot_line_of(const struct plot_series *series)
-{
-    const size_t dash = series->dash > 0 ? series->dash - 1 : series->style;
-    return (struct svg_style){
-        .stroke = palette_colour(series->style), .dash = dashes[dash % COUNT(dashes)], .width = 2};
-}
-
 /* An arrow at the edge that says where a curve goes; one where several would lie together. */
-static void draw_arrow(struct svg *svg, struct plot_frame *frame, double x, bool up)
+static void draw_arrow(struct svg *svg, struct plot_frame *frame, double x, bool up,
+                       const char *text)
 {
+    const double at = up ? x : x + 2 * PLOT_WIDTH; /* those of one edge */
     for (size_t i = 0; i < frame->arrow_count; i++) {
-        if (fabs(frame->arrow_x[i] - x) < 12) {
+        if (fabs(frame->arrow_x[i] - at) < 12 + 3.6 * (double)strlen(text)) {
             return;
         }
     }
     if (frame->arrow_count == ARROWS) {
         return;
     }
-    frame->arrow_x[frame->arrow_count++] = x;
+    frame->arrow_x[frame->arrow_count++] = at;
     svg_path(svg, x, up ? frame->y.stop : frame->y.start,
              up ? "M-4.5 0L0 -9 4.5 0z" : "M-4.5 -9L0 0 4.5 -9z");
-    double side = x + 40 > frame->x.stop ? -24 : 6;
-    svg_words(svg, up ? x : x + side, up ? frame->y.stop - 11 : frame->y.start - 5, 16,
-              up ? SVG_MIDDLE : SVG_START, NULL, up ? "∞" : "−∞");
+    const bool is_number = strstr(text, "∞") == NULL;
+    const double size = is_number ? NUMBER_SIZE : 16, width = svg_text_width(text, size);
+    const double beside = x + 8 + width > frame->x.stop ? x - 8 - width : x + 8;
+    const double above = fmax(frame->x.start, fmin(x - width / 2, PLOT_WIDTH - width - 4));
+    svg_words(svg, up ? above : beside, up ? frame->y.stop - 12 : frame->y.start - 5, size,
+              SVG_START, NULL, text);
 }
 
-/* Where a curve leaves for infinity, or comes from there. */
+/*
+ * How far a curve goes that leaves the page between two points, the first or the second of which is
+ * on it: "∞", "1200"; null: it only bends out between two samples. `asymptote` receives the point
+ * before the curve is infinite.
+ */
+static const char *arrow_words(const struct plot *plot, const struct plot_axis *axis,
+                               const struct plot_series *series, size_t from, bool onwards,
+                               struct arena *arena, size_t *asymptote)
+{
+    const size_t count = plot_series_count(plot, series);
+    const bool up = plot_y_at(plot, series, from) > axis->high;
+    double most = up ? axis->high : axis->low;
+    bool is_sample = false;
+    for (size_t i = from; i < count; i += onwards ? 1 : (size_t)-1) {
+        const double v = plot_y_at(plot, series, i);
+        if (!(up ? v > axis->high : v < axis->low)) {
+            break;
+        }
+        is_sample = is_sample || plot_place_at(series, i) == PLOT_SAMPLE;
+        most = fabs(v) > fabs(most) ? v : most;
+        *asymptote = isfinite(v) ? i : *asymptote;
+        if (isinf(v)) {
+            break;
+        }
+    }
+    const double beyond = fabs(most - (up ? axis->high : axis->low));
+    if (!(beyond < 300 * (axis->high - axis->low)) && !axis->log) {
+        return up ? "∞" : "−∞";
+    }
+    if (isinf(most)) {
+        return up ? "∞" : "−∞";
+    }
+    const double rounded = strtod(arena_printf(arena, "%.3g", most), NULL);
+    return is_sample ? ticks_fixed(arena, rounded, 0) : NULL;
+}
+
+static bool is_on_axis(const struct plot_axis *axis, double v)
+{
+    return v >= axis->low && v <= axis->high;
+}
+
+/* Where a curve leaves for infinity or for what is far, and where it comes back from there. */
 static void draw_arrows(struct svg *svg, const struct plot *plot, struct plot_frame *frame,
                         const struct plot_series *series)
 {
+    const struct plot_axis *axis = &frame->y;
+    bool has_left = false;
     for (size_t i = 0; i + 1 < plot_series_count(plot, series); i++) {
-        double here = plot_y_at(plot, series, i), next = plot_y_at(plot, series, i + 1);
-        bool leaves = isfinite(here) && isinf(next), returns = isinf(here) && isfinite(next);
-        if (leaves || returns) {
-            const double x = plot_x_at(plot, series, leaves ? i : i + 1);
-            draw_arrow(svg, frame, plot_page_at(&frame->x, x), (leaves ? next : here) > 0);
+        const double here = plot_y_at(plot, series, i), next = plot_y_at(plot, series, i + 1);
+        const bool leaves = is_on_axis(axis, here) && !is_on_axis(axis, next) && !isnan(next);
+        const bool returns = is_on_axis(axis, next) && !is_on_axis(axis, here) && !isnan(here);
+        if (!leaves && !returns) {
+            continue;
+        }
+        const size_t inside = leaves ? i : i + 1, outside = leaves ? i + 1 : i;
+        const double in = leaves ? here : next, out = leaves ? next : here;
+        const bool up = out > axis->high;
+        size_t asymptote = inside;
+        const char *text = arrow_words(plot, axis, series, outside, leaves, svg->arena, &asymptote);
+        const bool is_infinite = text != NULL && strstr(text, "∞") != NULL;
+        double x = plot_page_at(&frame->x, plot_x_at(plot, series, asymptote));
+        if (!is_infinite && returns && has_left) {
+            continue; /* said where it left */
+        }
+        has_left = has_left || leaves;
+        if (!is_infinite) {
+            x = plot_page_at(&frame->x, plot_x_at(plot, series, inside));
+            const double at = plot_page_at(axis, in), edge = up ? axis->stop : axis->start;
+            const double then = plot_page_at(&frame->x, plot_x_at(plot, series, outside));
+            x += (edge - at) / (plot_page_at(axis, out) - at) * (then - x);
+        }
+        if (text != NULL) {
+            draw_arrow(svg, frame, x, up, text);
         }
     }
 }
@@ -302,23 +405,45 @@ static void draw_dots(struct svg *svg, const struct plot *plot, const struct plo
     }
     for (size_t i = 0; i < count && samples <= DOTS_MAX; i++) {
         double v = plot_y_at(plot, series, i);
-        if (isfinite(v) && plot_place_at(series, i) == PLOT_SAMPLE) {
+        const bool is_seen = v >= frame->y.low && v <= frame->y.high;
+        if (is_seen && plot_place_at(series, i) == PLOT_SAMPLE) {
             svg_circle(svg, plot_page_at(&frame->x, plot_x_at(plot, series, i)),
                        plot_page_at(&frame->y, v), 3.2);
         }
     }
 }
 
-static void plot_draw_curves(struct svg *svg, const struct plot *plot, struct plot_frame *frame)
+static void plot_clip_begin(struct svg *svg, const struct plot_frame *frame)
 {
     const struct plot_axis *x = &frame->x, *y = &frame->y;
     svg_clip_begin(svg, x->start, y->stop - 1, x->stop - x->start + 1, y->start - y->stop + 2);
-    for (size_t b = 0; b < plot->band_count; b++) {
-        const char *colour = palette_colour(plot->series[plot->bands[b].low].style);
-        svg_group_begin(svg, &(struct svg_style){.fill = colour, .opacity = 0.13});
-        draw_band(svg, plot, frame, &plot->bands[b]);
+}
+
+/* What the bands fill, below grid and curves: the widest first, so that all are seen. */
+static void plot_draw_bands(struct svg *svg, const struct plot *plot, struct plot_frame *frame)
+{
+    bool *done = ARENA_ARRAY(svg->arena, plot->band_count, bool);
+    plot_clip_begin(svg, frame);
+    for (size_t n = 0; n < plot->band_count; n++) {
+        size_t widest = 0;
+        double most = -1;
+        for (size_t b = 0; b < plot->band_count; b++) {
+            const double area = done[b] ? -1 : band_area(plot, frame, &plot->bands[b]);
+            widest = area > most ? b : widest;
+            most = fmax(most, area);
+        }
+        done[widest] = true;
+        const char *colour = palette_colour(plot->series[plot->bands[widest].low].style);
+        svg_group_begin(svg, &(struct svg_style){.fill = plot_tint(svg->arena, colour)});
+        draw_band(svg, plot, frame, &plot->bands[widest]);
         svg_group_end(svg);
     }
+    svg_group_end(svg);
+}
+
+static void plot_draw_curves(struct svg *svg, const struct plot *plot, struct plot_frame *frame)
+{
+    plot_clip_begin(svg, frame);
     for (size_t s = 0; s < plot->series_count; s++) {
         struct svg_style style = plot_line_of(&plot->series[s]);
         struct plot_points line =
@@ -336,72 +461,12 @@ static void plot_draw_curves(struct svg *svg, const struct plot *plot, struct pl
     }
 }
 
-/* -------- labels of the curves -------- */
-
-struct plot_key {
-    const struct plot_series *series;
-    double y; /* px */
-};
-
-/* Where a curve ends on the page. */
-static double plot_end_of(const struct plot *plot, const struct plot_frame *frame,
-                          const struct plot_series *series)
-{
-    const struct plot_axis *axis = &frame->y;
-    for (size_t i = plot_series_count(plot, series); i-- > 0;) {
-        double v = plot_y_at(plot, series, i);
-        if (isinf(v)) {
-            return v > 0 ? axis->stop : axis->start;
-        }
-        if (!isnan(v)) {
-            return fmin(fmax(plot_page_at(axis, v), axis->stop), axis->start);
-        }
-    }
-    return axis->start;
-}
-
-static void draw_keys(struct svg *svg, const struct plot *plot, const struct plot_frame *frame)
-{
-    struct plot_key *keys = ARENA_ARRAY(svg->arena, plot->series_count, struct plot_key);
-    /* The labelled series from top to bottom, as their curves end. */
-    size_t count = 0;
-    for (size_t s = 0; s < plot->series_count; s++) {
-        if (!plot->series[s].label) {
-            continue;
-        }
-        struct plot_key key = {&plot->series[s], plot_end_of(plot, frame, &plot->series[s])};
-        size_t at = count++;
-        for (; at > 0 && keys[at - 1].y > key.y; at--) {
-            keys[at] = keys[at - 1];
-        }
-        keys[at] = key;
-    }
-    double left = frame->x.stop + 12, height = frame->y.start - frame->y.stop;
-    double gap = fmin(18, height / (double)(count + 1));
-    /* Move the labels apart: down from the top, then up again from the lower edge. */
-    double next = frame->y.stop;
-    for (size_t i = 0; i < count; i++) {
-        keys[i].y = fmax(keys[i].y, next);
-        next = keys[i].y + gap;
-    }
-    next = frame->y.start;
-    for (size_t i = count; i-- > 0;) {
-        keys[i].y = fmin(keys[i].y, next);
-        next = keys[i].y - gap;
-    }
-    for (size_t i = 0; i < count; i++) {
-        struct svg_style style = plot_line_of(keys[i].series);
-        svg_styled_line(svg, &style, left, keys[i].y, left + 28, keys[i].y);
-        svg_words_within(svg, left + 36, keys[i].y + 4, fmin(NUMBER_SIZE, gap),
-                         PLOT_WIDTH - left - 42, NULL, keys[i].series->label);
-    }
-}
-
 /* -------- the page -------- */
 
 bool plot_draw(const struct plot *plot, struct svg *svg, struct error *error)
 {
-    struct plot_frame frame = {.x.log = plot->log_x, .y.log = plot->log_y};
+    struct plot_frame frame = {.x = {.log = plot->log_x, .kind = plot->x_kind},
+                               .y = {.log = plot->log_y, .kind = plot->y_kind}};
     if (!plot_find_range(plot, &frame.x, &frame.y)) {
         return fail(error, ERROR_DOMAIN, "nothing to plot: no value is finite%s",
                     plot->log_x || plot->log_y ? " and positive" : "");
@@ -409,22 +474,18 @@ bool plot_draw(const struct plot *plot, struct svg *svg, struct error *error)
     plot_set_x_axis(&frame.x);
     plot_axis_to_ticks(&frame.y);
     /* Place the frame so that all words fit around it. */
-    double width = 0;
-    for (size_t s = 0; s < plot->series_count; s++) {
-        if (plot->series[s].label) {
-            width = fmax(width, svg_text_width(plot->series[s].label, NUMBER_SIZE));
-        }
-    }
+    const double width = plot_keys_width(plot);
     frame.x.start = 44 + ticks_width(svg->arena, &frame.y.ticks, NUMBER_SIZE);
-    frame.x.stop = PLOT_WIDTH - (width > 0 ? fmin(58 + width, 260) : 28);
+    frame.x.stop = PLOT_WIDTH - (width > 0 ? fmin(width, 260) : 28);
     frame.y.start = PLOT_HEIGHT - 60;
     frame.y.stop = 88;
     svg_begin(svg, PLOT_WIDTH, PLOT_HEIGHT, plot->title);
+    plot_draw_bands(svg, plot, &frame);
     plot_draw_grid(svg, plot, &frame);
     plot_draw_curves(svg, plot, &frame);
     plot_draw_axes(svg, plot, &frame);
     plot_draw_words(svg, plot, &frame);
-    draw_keys(svg, plot, &frame);
+    plot_keys_draw(svg, plot, &frame.x, &frame.y);
     svg_end(svg);
     return true;
 }

@@ -3,6 +3,8 @@
 #ifndef LENSCALC_DRAW_PLOT_H
 #define LENSCALC_DRAW_PLOT_H
 
+#include "draw/ticks.h"
+
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -20,7 +22,8 @@ struct svg;
  * the far limit of one f-number the same style and only one of them a label.
  */
 struct plot_series {
-    const char *label; /* beside the right end of the curve; null = none */
+    const char *label; /* beside the right end of the curve, of several with one label one has it,
+                          and of one alone none; null = none */
     const double *y;   /* count values; NaN = gap, +-inf = off the edge */
     size_t style;      /* 0, 1, ...; after seven the colours come again with other dashes */
     size_t dash;       /* 1, 2, ...: those dashes in place of the style's; 0 = the style's */
@@ -55,11 +58,17 @@ struct plot {
     size_t series_count;
     const struct plot_band *bands;
     size_t band_count;
-    double y_limit; /* a y above it is drawn like infinity; 0 = none */
+    bool is_limited; /* y beyond these two is far: the axis does not reach there, an arrow does */
+    double y_least, y_most;
+    enum ticks_kind x_kind, y_kind; /* of logarithmic axes */
+    bool is_ordered; /* the labels are in an order of their own, as f/4, f/8, f/16 are */
     bool log_x, log_y;
 };
 
-/* Set log_x and log_y: all finite values are positive and the largest is over 50 times the least.
+/*
+ * Set log_x and log_y: all finite values are positive and the largest is over 50 times the least,
+ * of f-numbers and ISO speeds 1.9 times, of times 10 times. Else the y axis is limited where a
+ * tenth of the values at one end is more than five times as far off as the others spread.
  */
 void plot_choose_axes(struct plot *plot);
 

@@ -5,6 +5,7 @@
 #include "draw/svg.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 static const double HUGEST = 1e200, TINIEST = 1e-200;
 
@@ -37,8 +38,7 @@ double plot_y_at(const struct plot *plot, const struct plot_series *series, size
     if (!isfinite(plot_x_at(plot, series, i))) {
         return NAN;
     }
-    bool over = plot->y_limit > 0 && series->y[i] > plot->y_limit;
-    return over ? INFINITY : plot_drawable(series->y[i], plot->log_y);
+    return plot_drawable(series->y[i], plot->log_y);
 }
 
 enum plot_place plot_place_at(const struct plot_series *series, size_t i)
@@ -65,7 +65,8 @@ bool plot_find_range(const struct plot *plot, struct plot_axis *x, struct plot_a
             if (!isnan(v)) {
                 plot_frame_include(x, plot_x_at(plot, series, i));
             }
-            if (isfinite(v) && plot_place_at(series, i) != PLOT_BEYOND) {
+            const bool is_far = plot->is_limited && !(v >= plot->y_least && v <= plot->y_most);
+            if (isfinite(v) && !is_far && plot_place_at(series, i) != PLOT_BEYOND) {
                 plot_frame_include(y, v);
             }
         }
@@ -73,13 +74,56 @@ bool plot_find_range(const struct plot *plot, struct plot_axis *x, struct plot_a
     return y->low <= y->high;
 }
 
+/* From which ratio of its ends on an axis is logarithmic: stops are steps of equal length. */
+static double least_ratio(enum ticks_kind kind)
+{
+    static const double ratios[] = {
+        [TICKS_NUMBERS] = 50, [TICKS_FNUMBER] = 1.9, [TICKS_TIME] = 10, [TICKS_ISO] = 1.9};
+    return ratios[kind];
+}
+
+static int numbers_ascend(const void *first, const void *second)
+{
+    const double a = *(const double *)first, b = *(const double *)second;
+    return (a > b) - (a < b);
+}
+
+/* Where a few values are far from the rest: the y axis as the rest wants it. */
+static void limit_to_bulk(struct plot *plot)
+{
+    enum { LEAST = 8, MOST = 4096 };
+    double values[MOST];
+    size_t count = 0;
+    for (size_t s = 0; s < plot->series_count; s++) {
+        for (size_t i = 0; i < plot_series_count(plot, &plot->series[s]) && count < MOST; i++) {
+            const double v = plot_y_at(plot, &plot->series[s], i);
+            values[count] = v;
+            count += isfinite(v) ? 1 : 0;
+        }
+    }
+    if (count < LEAST) {
+        return;
+    }
+    qsort(values, count, sizeof values[0], numbers_ascend);
+    const size_t tail = (count - 1) / 10;
+    const double least = values[0], most = values[count - 1];
+    const double low = values[tail], high = values[count - 1 - tail], room = 0.25 * (high - low);
+    const bool above = most - high > 5 * (high - least), below = low - least > 5 * (most - low);
+    plot->is_limited = high > low && (above || below);
+    plot->y_least = below ? low - room : least;
+    plot->y_most = above ? high + room : most;
+}
+
 void plot_choose_axes(struct plot *plot)
 {
     struct plot_axis x, y;
-    plot->log_x = plot->log_y = false;
+    plot->log_x = plot->log_y = plot->is_limited = false;
     bool any = plot_find_range(plot, &x, &y);
-    plot->log_x = any && x.low > 0 && x.high / x.low > 50;
-    plot->log_y = any && y.low > 0 && y.high / y.low > 50;
+    plot->log_x = any && x.low > 0 && x.high / x.low > least_ratio(plot->x_kind);
+    plot->log_y = any && y.low > 0 && y.high / y.low > least_ratio(plot->y_kind);
+    if (!plot->log_y) {
+        limit_to_bulk(plot);
+    }
 }
 
 double plot_page_at(const struct plot_axis *axis, double value)
@@ -107,7 +151,7 @@ double plot_value_at(const struct plot_axis *axis, double at)
 static void choose_ticks(struct plot_axis *axis)
 {
     if (axis->log) {
-        ticks_log(axis->low, axis->high, &axis->ticks);
+        ticks_stops(axis->kind, axis->low, axis->high, &axis->ticks);
     } else {
         ticks_linear(axis->low, axis->high, &axis->ticks);
     }
@@ -127,6 +171,7 @@ static void keep_ticks_inside(struct plot_axis *axis)
     for (size_t i = 0; i < axis->ticks.count; i++) {
         double v = axis->ticks.value[i];
         if (v >= axis->low - slack && v <= axis->high + slack) {
+            axis->ticks.text[kept] = axis->ticks.text[i];
             axis->ticks.value[kept++] = v;
         }
     }
@@ -138,7 +183,8 @@ void plot_set_x_axis(struct plot_axis *x)
     ticks_widen(&x->low, &x->high);
     choose_ticks(x);
     keep_ticks_inside(x);
-    if (x->ticks.count < 3) { /* a short logarithmic axis between two round numbers */
+    const size_t least = x->kind != TICKS_NUMBERS ? 2 : 3;
+    if (x->ticks.count < least) { /* a short logarithmic axis between two round numbers */
         ticks_linear(x->low, x->high, &x->ticks);
         keep_ticks_inside(x);
     }

@@ -8,8 +8,9 @@
 
 struct plot_axis {
     bool log;
-    double low, high;   /* values at the ends */
-    double start, stop; /* px, where they lie */
+    enum ticks_kind kind; /* of a logarithmic axis: its ticks are the stops of a camera */
+    double low, high;     /* values at the ends */
+    double start, stop;   /* px, where they lie */
     struct ticks ticks;
 };
 

@@ -8,7 +8,7 @@
 #include "draw/plot_frame.h"
 
 static const double WIDTH = 600, HEIGHT = 352; /* px, of the frame */
-static const double BENT = 0.2;                /* px off the chord that are seen */
+static const double BENT = 0.1;                /* px off the chord that are seen */
 static const double CLOSE = 0.3;               /* px between points of a curve */
 static const double EXACT = 0.002;             /* px: where it ends or jumps */
 static const double JUMP = 30;                 /* px up or down, within CLOSE */
@@ -103,7 +103,8 @@ static bool half_is_open(const struct curve_sampler *sampler, const struct curve
                          const struct curve_node *b, bool bent, int depth)
 {
     const double width = fabs(b->at - a->at);
-    if (!nodes_are_alike(sampler, a, b) || leap_of(sampler, a, b) > JUMP) {
+    const double jump = sampler->source->is_stepped ? 0.5 : JUMP;
+    if (!nodes_are_alike(sampler, a, b) || leap_of(sampler, a, b) > jump) {
         return width > EXACT;
     }
     return width > CLOSE && (bent || (depth < 2 && width > WIDE / 2));
@@ -254,8 +255,8 @@ static void sampler_collect(const struct curve_sampler *sampler, struct plot_cur
 /* The page as the samples have it. */
 static bool find_page(struct curve_sampler *sampler)
 {
-    sampler->x = (struct plot_axis){.log = sampler->plot->log_x};
-    sampler->y = (struct plot_axis){.log = sampler->plot->log_y};
+    sampler->x = (struct plot_axis){.log = sampler->plot->log_x, .kind = sampler->plot->x_kind};
+    sampler->y = (struct plot_axis){.log = sampler->plot->log_y, .kind = sampler->plot->y_kind};
     if (!plot_find_range(sampler->plot, &sampler->x, &sampler->y)) {
         return false;
     }

@@ -11,7 +11,8 @@ struct plot_source {
     /* Fill y[0 .. curves - 1], NaN where there is none; false: no more are to be asked for. */
     bool (*at)(void *context, double x, double *y);
     void *context;
-    size_t most; /* times it may be asked */
+    size_t most;     /* times it may be asked */
+    bool is_stepped; /* whole numbers: where they jump is looked for */
 };
 
 /* Curves of common x. */
@@ -28,7 +29,7 @@ struct plot_curves {
  *                   what is seen is measured on
  *           x, y    the samples: `count` x in any order of size, of each curve as many y
  *           curves  receives samples and points between, in the order of the samples
- * Result    between neighbours the curve is off a straight line by less than a fifth of a pixel,
+ * Result    between neighbours the curve is off a straight line by less than a tenth of a pixel,
  *           or they are a third of a pixel apart. The x where a curve begins, ends, becomes
  *           infinite or jumps is met to 0.002 pixels. At a pole, which it leaves at one edge and
  *           comes back from at the other, it is broken

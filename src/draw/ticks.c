@@ -83,6 +83,88 @@ void ticks_log(double low, double high, struct ticks *ticks)
     }
 }
 
+struct stop_label {
+    double value;
+    const char *text;
+};
+
+static const struct stop_label fnumber_stops[] = {
+    {0.5, "f/0.5"}, {0.7, "f/0.7"}, {1, "f/1"},     {1.4, "f/1.4"}, {2, "f/2"},
+    {2.8, "f/2.8"}, {4, "f/4"},     {5.6, "f/5.6"}, {8, "f/8"},     {11, "f/11"},
+    {16, "f/16"},   {22, "f/22"},   {32, "f/32"},   {45, "f/45"},   {64, "f/64"},
+    {90, "f/90"},   {128, "f/128"}, {180, "f/180"}, {256, "f/256"}, {0, NULL}};
+
+static const struct stop_label time_stops[] = {{1 / 64000.0, "1/64000"},
+                                               {1 / 32000.0, "1/32000"},
+                                               {1 / 16000.0, "1/16000"},
+                                               {1 / 8000.0, "1/8000"},
+                                               {1 / 4000.0, "1/4000"},
+                                               {1 / 2000.0, "1/2000"},
+                                               {1 / 1000.0, "1/1000"},
+                                               {1 / 500.0, "1/500"},
+                                               {1 / 250.0, "1/250"},
+                                               {1 / 125.0, "1/125"},
+                                               {1 / 60.0, "1/60"},
+                                               {1 / 30.0, "1/30"},
+                                               {1 / 15.0, "1/15"},
+                                               {1 / 8.0, "1/8"},
+                                               {1 / 4.0, "1/4"},
+                                               {1 / 2.0, "1/2"},
+                                               {1, "1"},
+                                               {2, "2"},
+                                               {4, "4"},
+                                               {8, "8"},
+                                               {15, "15"},
+                                               {30, "30"},
+                                               {60, "60"},
+                                               {120, "120"},
+                                               {240, "240"},
+                                               {480, "480"},
+                                               {900, "900"},
+                                               {1800, "1800"},
+                                               {0, NULL}};
+
+static const struct stop_label iso_stops[] = {
+    {3, "3"},           {6, "6"},           {12, "12"},         {25, "25"},
+    {50, "50"},         {100, "100"},       {200, "200"},       {400, "400"},
+    {800, "800"},       {1600, "1600"},     {3200, "3200"},     {6400, "6400"},
+    {12800, "12800"},   {25600, "25600"},   {51200, "51200"},   {102400, "102400"},
+    {204800, "204800"}, {409600, "409600"}, {819200, "819200"}, {0, NULL}};
+
+void ticks_stops(enum ticks_kind kind, double low, double high, struct ticks *ticks)
+{
+    static const struct stop_label *const series[] = {NULL, fnumber_stops, time_stops, iso_stops};
+    const struct stop_label *stops = series[kind];
+    if (stops == NULL || stops[0].value > low * (1 + 1e-9)) {
+        ticks_log(low, high, ticks);
+        return;
+    }
+    size_t first = 0, last = 0;
+    while (stops[first + 1].text != NULL && stops[first + 1].value <= low * (1 + 1e-9)) {
+        first++;
+    }
+    for (last = first; stops[last].text != NULL && stops[last].value < high * (1 - 1e-9);) {
+        last++;
+    }
+    if (stops[last].text == NULL || last == first) {
+        ticks_log(low, high, ticks);
+        return;
+    }
+    size_t stride = 1;
+    while ((last - first + stride - 1) / stride > TICKS_MOST - 1) {
+        stride++;
+    }
+    *ticks = (struct ticks){.step = 0};
+    for (size_t i = first; i < last + stride; i += stride) {
+        size_t at = i; /* the series may end amid a stride */
+        for (size_t k = last; k < i && at == i; k++) {
+            at = stops[k + 1].text == NULL ? k : i;
+        }
+        ticks->text[ticks->count] = stops[at].text;
+        ticks->value[ticks->count++] = stops[at].value;
+    }
+}
+
 /* x with a fixed number of decimals and a true minus sign. */
 const char *ticks_fixed(struct arena *arena, double x, int decimals)
 {
@@ -109,6 +191,9 @@ static int exponent_of(double x)
 const char *ticks_text(struct arena *arena, const struct ticks *ticks, size_t i)
 {
     double x = ticks->value[i];
+    if (ticks->text[i] != NULL) {
+        return ticks->text[i];
+    }
     double first = fabs(ticks->value[0]), last = fabs(ticks->value[ticks->count - 1]);
     double greatest = fmax(first, last);
     bool linear = ticks->step > 0;

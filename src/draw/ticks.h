@@ -11,6 +11,7 @@ struct arena;
 #define TICKS_MOST 12
 struct ticks {
     double value[TICKS_MOST];
+    const char *text[TICKS_MOST]; /* of a stop series: "f/5.6", "1/125"; null: as numbers */
     size_t count;
     double step; /* between two ticks; 0 on a logarithmic axis */
 };
@@ -31,6 +32,20 @@ void ticks_linear(double low, double high, struct ticks *ticks);
  * Given     low, high  the range, 1e-200 <= low <= high <= 1e200
  */
 void ticks_log(double low, double high, struct ticks *ticks);
+
+/* What an axis counts: numbers, or the stops of a camera by their labels. */
+enum ticks_kind { TICKS_NUMBERS, TICKS_FNUMBER, TICKS_TIME, TICKS_ISO };
+
+/*
+ * Labels of a series of whole stops for a logarithmic axis: all, or every second, third ... of
+ * them.
+ *
+ * Given     low, high  the range, above 0; times in s
+ * Result    2 to 12 ticks, the first at or below low, the last at or above high; as ticks_log
+ *           where the series does not reach so far, and for numbers
+ * Source    labels: ISO 517:2008 (f-numbers), ISO 516:2019 (times), ISO 12232:2019 (speeds)
+ */
+void ticks_stops(enum ticks_kind kind, double low, double high, struct ticks *ticks);
 
 /* How tick i is written: the same number of decimals on all, powers of ten where shorter. */
 const char *ticks_text(struct arena *arena, const struct ticks *ticks, size_t i);

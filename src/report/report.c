@@ -383,25 +383,43 @@ static const char *add_words(const struct report *report, const char *line,
     return fits ? arena_printf(report->arena, "%s, %s", line, words) : line;
 }
 
+/* What a picture's title says, and which assumptions take part in what a curve shows. */
+static const char titled[] = "lens focal lens_focal";
+static const char telling[] =
+    "sensor coc wavelength spectrum image projection position fnumber iso "
+    "film member held rule_of_thumb";
+
 const char *report_subtitle(const struct report *report, const struct selection *selection,
                             const void *row)
 {
     const char *line = NULL;
+    const char **told_names =
+        ARENA_ARRAY(report->arena, report->sheet->column_count + 1, const char *);
+    size_t told_count = 0;
     for (size_t i = 0; i < report->sheet->column_count && row != NULL; i++) {
         const struct column *column = &report->sheet->columns[i];
         struct shown shown;
         struct error ignored;
         const char *option = column->repeats != NULL ? column->repeats : column->with;
         bool given = (column->flags & COLUMN_ECHO) != 0 && option != NULL &&
+                     !text_lists(titled, text_of(column->name)) &&
                      selection->given(selection->asked, option) &&
                      !selection->varied(selection->asked, option);
         if (given && report_find_column(report->sheet, text_of(column->name), report->arena, &shown,
                                         &ignored)) {
             line = add_words(report, line, &shown, row);
+            told_names[told_count++] = column->name;
         }
     }
     for (size_t i = 0; i < report->assumed_count && row != NULL; i++) {
-        line = add_words(report, line, &report->assumed[i], row);
+        const char *name = report->assumed[i].column->name;
+        bool told = false;
+        for (size_t k = 0; k < told_count; k++) {
+            told = told || strcmp(told_names[k], name) == 0;
+        }
+        if (!told && text_lists(telling, text_of(name))) {
+            line = add_words(report, line, &report->assumed[i], row);
+        }
     }
     return line;
 }

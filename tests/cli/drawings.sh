@@ -14,8 +14,8 @@ print(sys.argv[1], root.tag, "texts" if len(texts) > 4 else "NO TEXTS",
 END
 done
 ls
-# a mark has no more digits than are read, and a subtitle stands there whole
+# f-numbers have marks of their own, and a subtitle stands there whole
 lenscalc dof -f 50mm -N 2.8..16#10 -s 3m --plot ticks.svg > table
-grep -oE '>4\.26[67]+<' ticks.svg
+grep -oE '>f/5.6<' ticks.svg
 lenscalc pupil double-gauss --plot pupils.svg > table
 grep -o '…' pupils.svg || echo whole

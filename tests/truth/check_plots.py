@@ -48,6 +48,12 @@ def paths_of(element):
     return lines
 
 
+def tint(colour):
+    """What an area is filled with between curves of this colour: 14 % of it on white."""
+    parts = [int(colour[i:i + 2], 16) for i in (1, 3, 5)]
+    return "#" + "".join(f"{math.floor(255.5 - 0.14 * (255 - part)):02x}" for part in parts)
+
+
 class Picture:
     """Curves by stroke, areas by fill, arrows by x, dots by fill in the order of their samples."""
 
@@ -61,7 +67,7 @@ class Picture:
                     self.arrows.append(float(moved[1]))
                 elif fill == "none":
                     self.curves.setdefault(stroke, []).append(paths_of(path))
-                elif group.get("opacity"):
+                elif path.get("d").endswith("z"):
                     self.areas.setdefault(fill, []).extend(paths_of(path))
             for circle in group.findall(f"{SVG}circle"):
                 self.dots.setdefault(fill, []).append(
@@ -145,7 +151,7 @@ def check_dof(checks, program):
                     lambda s, N=N: far(1000 * s, F, N), (1, end))
         checks.check(all(x < x_axis.page(end) + PIXEL for line in limits[1] for x, _ in line),
                      f"f/{N}: the far limit is drawn beyond its asymptote")
-        area = picture.areas[colour][0]
+        area = picture.areas[tint(colour)][0]
         upper = area[:max(range(len(area)), key=lambda i: area[i][0]) + 1]
         for x, y in upper:
             limit = far(1000 * x_axis.value(x), F, N)

@@ -363,13 +363,53 @@ static void test_infinite(struct arena *arena)
     struct error error;
     CHECK(plot_draw(&plot, &svg, &error));
     double left = text_x(svg.data, "0", 0), right = text_x(svg.data, "4.0", 0);
-    CHECK_NEAR(text_x(svg.data, "\xe2\x88\x9e", 0), (left + right) / 2, 0.011, "x of the arrow");
-    CHECK(find_text(svg.data, "\xe2\x88\x9e", 1) == NULL);
-    plot.y_limit = 3; /* now the point (2, 4) counts as infinite */
+    const double half = svg_text_width("∞", 16) / 2;
+    CHECK_NEAR(text_x(svg.data, "∞", 0) + half, (left + right) / 2, 0.011, "x of the arrow");
+    CHECK(find_text(svg.data, "∞", 1) == NULL);
+}
+
+/* A value far above the rest does not flatten it: its arrow at the edge says how far. */
+static void test_far(struct arena *arena)
+{
+    static const double x[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
+    double y[] = {-1, 1, 2, 3, 900, 4, 3, 2, 1, 0, 1};
+    const struct plot_series series = {.label = "far", .y = y};
+    struct plot plot = {.x = x, .count = 11, .series = &series, .series_count = 1};
+    struct error error;
+    plot_choose_axes(&plot);
+    CHECK(plot.is_limited && plot.y_most < 10 && plot.y_least <= -1);
+    struct svg svg = {.arena = arena};
+    CHECK(plot_draw(&plot, &svg, &error));
+    CHECK(find_text(svg.data, "900", 0) != NULL && find_text(svg.data, "900", 1) == NULL);
+    CHECK(find_text(svg.data, "5", 0) != NULL || find_text(svg.data, "6", 0) != NULL);
+    for (size_t i = 0; i < 11; i++) {
+        y[i] = -y[i];
+    }
+    plot_choose_axes(&plot);
     struct svg lower = {.arena = arena};
-    CHECK(plot_draw(&plot, &lower, &error));
-    CHECK_NEAR(text_x(lower.data, "\xe2\x88\x9e", 0), left + (right - left) / 4, 0.011,
-               "x of the arrow");
+    CHECK(plot.is_limited && plot.y_least > -10);
+    CHECK(plot_draw(&plot, &lower, &error) && find_text(lower.data, "−900", 0) != NULL);
+    y[4] = -12; /* this far the axis reaches */
+    plot_choose_axes(&plot);
+    CHECK(!plot.is_limited);
+}
+
+/* A curve by itself needs no label; of several, those that have one label have it once. */
+static void test_labels(struct arena *arena)
+{
+    static const double x[] = {0, 1, 2}, a[] = {0, 1, 2}, b[] = {0, 2, 4}, c[] = {0, 3, 9};
+    struct plot_series series[] = {{.label = "one", .y = a},
+                                   {.label = "one", .y = c},
+                                   {.label = "two", .y = b, .style = 1},
+                                   {.label = "two", .y = c, .style = 1}};
+    struct plot plot = {.x = x, .count = 3, .series = series, .series_count = 1};
+    struct error error;
+    struct svg alone = {.arena = arena}, both = {.arena = arena};
+    CHECK(plot_draw(&plot, &alone, &error) && find_text(alone.data, "one", 0) == NULL);
+    plot.series_count = 4;
+    CHECK(plot_draw(&plot, &both, &error));
+    CHECK(find_text(both.data, "one", 0) != NULL && find_text(both.data, "one", 1) == NULL);
+    CHECK(find_text(both.data, "two", 0) != NULL && find_text(both.data, "two", 1) == NULL);
 }
 
 /* A million points become at most 2000, and a single peak among them is kept. */
@@ -536,6 +576,8 @@ int main(void)
     test_odd_values(&arena);
     test_nothing(&arena);
     test_infinite(&arena);
+    test_far(&arena);
+    test_labels(&arena);
     test_million(&arena);
     test_choose_axes();
     test_positions(&arena);

@@ -50,6 +50,35 @@ static void test_ticks(void)
     check_ticks(1e-200, 1e200, true);
 }
 
+/* ISO 517 and ISO 516: f/1 1.4 2 2.8 ..., 1/1000 1/500 1/250 1/125 1/60 ... */
+static void test_stops(struct arena *arena)
+{
+    static const struct {
+        enum ticks_kind kind;
+        double low, high;
+        size_t count, index;
+        const char *text;
+    } cases[] = {
+        {TICKS_FNUMBER, 1.4, 22, 9, 4, "f/5.6"},
+        {TICKS_FNUMBER, 1.5, 4.1, 5, 0, "f/1.4"},
+        {TICKS_FNUMBER, 1.5, 4.1, 5, 4, "f/5.6"},
+        {TICKS_FNUMBER, 0.5, 256, 10, 9, "f/256"},
+        {TICKS_TIME, 1 / 1000.0, 1 / 60.0, 5, 1, "1/500"},
+        {TICKS_TIME, 1 / 8000.0, 30, 10, 2, "1/500"},
+        {TICKS_ISO, 90, 1600, 6, 0, "50"},
+        {TICKS_ISO, 90, 1600, 6, 5, "1600"},
+        {TICKS_FNUMBER, 0.1, 22, 9, 1, "0.2"}, /* no stops there */
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct ticks ticks;
+        ticks_stops(cases[i].kind, cases[i].low, cases[i].high, &ticks);
+        CHECK(ticks.count == cases[i].count || cases[i].low < 0.5);
+        CHECK_TEXT(ticks_text(arena, &ticks, cases[i].index), cases[i].text);
+        CHECK(ticks.value[0] <= cases[i].low * (1 + 1e-9));
+        CHECK(ticks.value[ticks.count - 1] >= cases[i].high * (1 - 1e-9));
+    }
+}
+
 static void test_tick_text(struct arena *arena)
 {
     static const struct {
@@ -90,6 +119,7 @@ int main(void)
     struct arena arena = {0};
     test_ticks();
     test_tick_text(&arena);
+    test_stops(&arena);
     arena_free(&arena);
     return check_report();
 }

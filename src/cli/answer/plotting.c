@@ -13,6 +13,7 @@ struct plotting_layout {
     const struct axis *x;
     size_t x_stride; /* combinations from one x to the next */
     size_t groups;
+    const char *title; /* what the command calls these columns together; null: nothing */
     struct shown *shown;
     size_t shown_count;
 };
@@ -66,10 +67,16 @@ static const char *group_words(const struct collection *collection,
         index /= axis->count;
         if (axis != layout->x) {
             const char *value = axis_value(collection, axis, at, true);
-            bool speaks = axis->option->dimension == &dimension_fnumber; /* f/2.8 needs no name */
-            const char *one = speaks ? value
-                                     : arena_printf(collection->arena, "%s %s",
-                                                    axis_label(collection, axis), value);
+            const struct dimension *dimension = axis->option->dimension;
+            const char *name = axis_label(collection, axis);
+            if (dimension == &dimension_ev || dimension == &dimension_iso) {
+                name = dimension == &dimension_ev ? "EV" : "ISO";
+            }
+            /* f/2.8 and glasses need no name */
+            bool speaks = dimension == &dimension_fnumber || axis->option->kind == &kind_glass ||
+                          axis->option->kind == &kind_lens;
+            const char *one =
+                speaks ? value : arena_printf(collection->arena, "%s %s", name, value);
             words = words == NULL ? one : arena_printf(collection->arena, "%s, %s", one, words);
         }
     }
@@ -137,14 +144,9 @@ static void plotting_add_curves(const struct collection *collection,
             }
             one->y = y;
             one->style = groups > 1 ? g : k;
-            /* near and far of a group look alike: one label is enough */
-            if (groups == 1) {
-                one->label = column_label(layout->shown[k].column);
-            } else if (k + 1 == columns || columns == 1) {
-                one->label = group_words(collection, layout, g);
-            } else {
-                one->label = NULL;
-            }
+            /* near and far of a group look alike */
+            one->label = groups == 1 ? column_label(layout->shown[k].column)
+                                     : group_words(collection, layout, g);
         }
         if (fills) {
             const bool open = zone.high == PLOT_UNBOUNDED;
@@ -191,6 +193,10 @@ static void refine_curves(const struct collection *collection, const struct plot
 {
     const size_t columns = layout->shown_count, most_together = 6000;
     const struct command *command = collection->command;
+    bool is_stepped = true;
+    for (size_t k = 0; k < columns; k++) {
+        is_stepped = is_stepped && layout->shown[k].column->type == COLUMN_INTEGER;
+    }
     const double weight = command->weight != NULL ? command->weight(collection->input) : 1;
     /* as long as answers cost so little that a drawing may ask for more */
     const size_t all = (size_t)((double)most_together / fmax(weight, 1));
@@ -200,7 +206,7 @@ static void refine_curves(const struct collection *collection, const struct plot
     const double **y = ARENA_ARRAY(collection->arena, columns, const double *);
     for (size_t g = 0; g < layout->groups && most > 0; g++) {
         struct curve_group group = {collection, layout, g};
-        const struct plot_source source = {columns, curve_group_at, &group, most};
+        const struct plot_source source = {columns, curve_group_at, &group, most, is_stepped};
         struct plot_curves curves;
         for (size_t k = 0; k < columns; k++) {
             y[k] = plot->series[g * columns + k].y;
@@ -221,12 +227,22 @@ static void refine_curves(const struct collection *collection, const struct plot
 static const char *with_unit(const struct collection *collection, const char *label,
                              const struct unit *unit)
 {
+    if (unit != NULL && unit == unit_find(&dimension_frequency, text_of("per_mm"))) {
+        return arena_printf(collection->arena, "%s (cycles/mm)", label);
+    }
     return unit != NULL && unit->label[0] != '\0'
                ? arena_printf(collection->arena, "%s (%s)", label, unit->label)
                : label;
 }
 
-/* "near limit and far limit"; what many curves have in common is their dimension: "angle". */
+/* What a label ends with: "limit". */
+static const char *last_word(const char *label)
+{
+    const char *blank = strrchr(label, ' ');
+    return blank != NULL ? blank + 1 : label;
+}
+
+/* "near and far limit"; what many curves have in common is their dimension: "angle". */
 static const char *title_words(const struct collection *collection,
                                const struct plotting_layout *layout)
 {
@@ -234,12 +250,61 @@ static const char *title_words(const struct collection *collection,
         return layout->shown[0].column->dimension->name;
     }
     const char *words = column_label(layout->shown[0].column);
-    for (size_t k = 1; k < layout->shown_count; k++) {
-        words = arena_printf(collection->arena, "%s%s%s", words,
-                             k + 1 == layout->shown_count ? " and " : ", ",
-                             column_label(layout->shown[k].column));
+    if (layout->shown_count == 2) {
+        const char *other = column_label(layout->shown[1].column), *last = last_word(words);
+        const bool shares = last > words && strcmp(last, last_word(other)) == 0;
+        const size_t length = shares ? (size_t)(last - words) - 1 : strlen(words);
+        words = arena_printf(collection->arena, "%.*s and %s", (int)length, words, other);
     }
     return words;
+}
+
+/* "Depth of field": a title begins with a capital. */
+static const char *plotting_capital(const struct collection *collection, const char *words)
+{
+    const char first = words[0];
+    const bool is_small = first >= 'a' && first <= 'z' && strncmp(words, "y out", 5) != 0;
+    return is_small ? arena_printf(collection->arena, "%c%s", first - 'a' + 'A', words + 1) : words;
+}
+
+/* "50 mm lens", "Double Gauss 100 mm f/2": whose plot it is; null: it is told by its curves. */
+static const char *plotting_subject(const struct collection *collection,
+                                    const struct plotting_layout *layout)
+{
+    const void *row = collection_first_row(collection);
+    for (size_t i = 0; i < collection->sweep->axis_count; i++) {
+        const struct axis *axis = &collection->sweep->axes[i];
+        if (axis->option->kind == &kind_lens || axis->option->kind == &kind_focal) {
+            return NULL;
+        }
+    }
+    const char *subject = NULL;
+    for (size_t i = 0; i < collection->sheet->column_count && row != NULL; i++) {
+        const struct column *column = &collection->sheet->columns[i];
+        if (strcmp(column->name, "lens") == 0 && column->type == COLUMN_TEXT &&
+            !row_is_absent(row, column)) {
+            return row_text(row, column);
+        }
+        if (strcmp(column->name, "focal") == 0 && (column->flags & COLUMN_ECHO) != 0 &&
+            isfinite(row_number(row, column))) {
+            subject = arena_printf(collection->arena, "%.3g mm lens", row_number(row, column));
+        }
+    }
+    (void)layout;
+    return subject;
+}
+
+/* "Depth of field, 50 mm lens", "Back focal distance of Double Gauss 100 mm f/2". */
+static const char *plotting_title(const struct collection *collection,
+                                  const struct plotting_layout *layout, const char *words)
+{
+    const char *what = plotting_capital(collection, layout->title != NULL ? layout->title : words);
+    const char *whose = plotting_subject(collection, layout);
+    if (whose == NULL) {
+        return what;
+    }
+    const bool is_name = strstr(whose, " mm lens") == NULL && strstr(what, " of ") == NULL;
+    return arena_printf(collection->arena, "%s%s%s", what, is_name ? " of " : ", ", whose);
 }
 
 /* Everything that can be wrong with the question. */
@@ -256,18 +321,21 @@ static bool plotting_lay_out(const struct collection *collection, const char *co
            choose_x(collection, layout, error);
 }
 
-/* Does any of the columns repeat the swept option, or have no value at all? */
+/* Does any of the columns repeat the swept option, or have no value at all, or the same in all? */
 static bool says_nothing(const struct collection *collection, const struct plotting_layout *layout)
 {
     for (size_t k = 0; k < layout->shown_count; k++) {
         const struct column *column = layout->shown[k].column;
         const char *swept = layout->x->option->column;
-        bool any = collection_first_row(collection) == NULL; /* before the rows are there */
-        for (size_t i = 0; i < collection->sweep->total && !any; i++) {
+        const bool is_open = collection_first_row(collection) == NULL; /* no rows yet */
+        double least = INFINITY, most = -INFINITY;
+        for (size_t i = 0; i < collection->sweep->total && !is_open; i++) {
             const void *row = collection_row(collection, i);
-            any = row != NULL && isfinite(column_value(row, column));
+            const double value = row != NULL ? column_value(row, column) : NAN;
+            least = isfinite(value) ? fmin(least, value) : least;
+            most = isfinite(value) ? fmax(most, value) : most;
         }
-        if (!any || (swept != NULL && strcmp(swept, column->name) == 0)) {
+        if ((!is_open && !(most > least)) || (swept != NULL && strcmp(swept, column->name) == 0)) {
             return true;
         }
     }
@@ -282,18 +350,32 @@ static bool choose_columns(const struct collection *collection, const char *colu
                            struct plotting_layout *layout, struct error *error)
 {
     struct text rest = text_of(columns != NULL ? columns : "");
+    struct text titles =
+        text_of(collection->command->plot_titles != NULL ? collection->command->plot_titles : "");
+    struct plotting_layout first = {0};
+    const char *last = NULL;
+    bool any_fits = false;
     if (columns == NULL || typed) {
         return plotting_lay_out(collection, columns, typed, layout, error);
     }
     while (rest.start != NULL) {
         struct text choice = text_cut(&rest, '|');
         const char *names = arena_string(collection->arena, choice.start, choice.length);
+        const struct text title = text_cut(&titles, '|');
+        last = names;
         bool fits = plotting_lay_out(collection, names, false, layout, error);
-        if (rest.start == NULL || (fits && !says_nothing(collection, layout))) {
-            return fits;
+        layout->title =
+            title.length > 0 ? arena_string(collection->arena, title.start, title.length) : NULL;
+        if (fits && !says_nothing(collection, layout)) {
+            return true;
+        }
+        if (!any_fits) { /* where none says anything it is the first */
+            first = *layout;
+            any_fits = fits;
         }
     }
-    return false;
+    *layout = first;
+    return any_fits || plotting_lay_out(collection, last, false, layout, error);
 }
 
 bool collection_plot_check(const struct collection *collection, const char *columns, bool typed,
@@ -301,6 +383,22 @@ bool collection_plot_check(const struct collection *collection, const char *colu
 {
     struct plotting_layout layout;
     return choose_columns(collection, columns, typed, &layout, error);
+}
+
+static enum ticks_kind plotting_ticks_kind(const struct dimension *dimension)
+{
+    static const struct {
+        const struct dimension *dimension;
+        enum ticks_kind kind;
+    } kinds[] = {{&dimension_fnumber, TICKS_FNUMBER},
+                 {&dimension_time, TICKS_TIME},
+                 {&dimension_iso, TICKS_ISO}};
+    for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++) {
+        if (dimension == kinds[i].dimension) {
+            return kinds[i].kind;
+        }
+    }
+    return TICKS_NUMBERS;
 }
 
 bool collection_plot(const struct collection *collection, const char *columns, bool typed,
@@ -322,14 +420,18 @@ bool collection_plot(const struct collection *collection, const char *columns, b
     const char *words = title_words(collection, &layout);
     const char *x_label = axis_label(collection, layout.x);
     struct plot plot = {.x = x, .count = layout.x->count};
-    plot.title = arena_printf(collection->arena, "%s by %s", words, x_label);
+    plot.title = plotting_title(collection, &layout, words);
+    plot.x_kind = option_has_series(layout.x->option)
+                      ? plotting_ticks_kind(layout.x->option->dimension)
+                      : TICKS_NUMBERS;
+    plot.y_kind = (layout.shown[0].column->flags & COLUMN_SPAN) == 0 &&
+                          (layout.shown[0].unit == NULL || unit_is_own(layout.shown[0].unit))
+                      ? plotting_ticks_kind(layout.shown[0].column->dimension)
+                      : TICKS_NUMBERS;
     plot.subtitle = subtitle;
     plot.x_label = with_unit(collection, x_label, layout.x->unit);
     plot.y_label = with_unit(collection, words, layout.shown[0].unit);
-    if (layout.x->option->dimension->series != NULL && layout.x->count <= 12) {
-        plot.x_ticks = x;
-        plot.x_tick_count = layout.x->count;
-    }
+    plot.is_ordered = layout.groups > 1;
     plotting_add_curves(collection, &layout, &plot);
     plot_choose_axes(&plot);
     refine_curves(collection, &layout, &plot);

@@ -125,6 +125,7 @@ struct command {
     /* Columns, with or without their units: those to plot, separated by commas, further choices
        by '|'; and those in the cells of --table, without which it is refused. */
     const char *plot;
+    const char *plot_titles; /* of these choices, '|' between; empty, null: the columns' labels */
     const char *cell;
     unsigned reads; /* enum reads: data that `run` uses beside what its options read */
     /* Combinations of a sweep that need no --force, where an answer takes so long that a million,

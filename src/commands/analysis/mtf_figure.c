@@ -180,7 +180,8 @@ static bool add_contrasts(struct figure_painter *painter, const struct mtf_sourc
             y[k] = values[k];
         }
     }
-    const struct plot_source from = {KINDS, contrasts_at, &contrasts, EACH};
+    const struct plot_source from = {
+        .curves = KINDS, .at = contrasts_at, .context = &contrasts, .most = EACH};
     struct plot_curves curves;
     plot_sample(&plot, x, y, SAMPLES, &from, &curves, painter->arena);
     for (size_t i = 0; i < curves.count && !contrasts.has_failed; i++) {

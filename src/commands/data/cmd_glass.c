@@ -374,5 +374,6 @@ const struct command command_glass = {
     COMMAND_MAKES(artifacts),
     .makes_many = glass_makes_many,
     .plot = "index",
+    .plot_titles = "Refractive index",
     .cell = "index",
 };

@@ -426,6 +426,7 @@ const struct command command_fit = {
     COMMAND_MAKES(artifacts),
     .explanations = explanations,
     .plot = "rms_um|distance_um|index",
+    .plot_titles = "Error of the equivalent thick lens||Refractive index",
     .cell = "efl_mm",
     .needs_ceres = "",
     .most_answers = 10000,

@@ -4,6 +4,9 @@
 #include "commands/lens/lens_options.h"
 #include "commands/tables.h"
 #include "draw/plot.h"
+#include "draw/plot_sample.h"
+
+#include <string.h>
 
 #include "base/constants.h"
 
@@ -318,7 +321,7 @@ static bool check_command_run(const void *data, struct run *run, struct error *e
 
 /* -------- the plot -------- */
 
-enum { POINTS = 41 };
+enum { POINTS = 41, BETWEEN = 600 };
 
 static const char *check_subtitle(const struct check_job *check, struct arena *arena)
 {
@@ -344,6 +347,36 @@ static bool check_plot(const struct artifact_job *job, struct error *error)
            fail(error, ERROR_USAGE, "{--plot} shows one position: name it with {--position}");
 }
 
+/* The quantities of a plot, to be compared anywhere. */
+struct check_curves {
+    const struct check_problem *problem;
+    enum check_quantity quantity[CHECK_QUANTITIES];
+    size_t count;
+    struct arena *arena;
+};
+
+static bool check_curves_at(void *context, double x, double *y)
+{
+    const struct check_curves *curves = context;
+    for (size_t k = 0; k < curves->count; k++) {
+        const struct check_value value =
+            paraxial_check_at(curves->problem, curves->quantity[k], x, curves->arena);
+        const double relative = fabs(value.exact - value.paraxial) / value.scale;
+        y[k] = relative > 1e-13 ? 100 * relative : (double)NAN;
+    }
+    return true;
+}
+
+/* "exit pupil" for exit_pupil. */
+static const char *check_label(const char *name, struct arena *arena)
+{
+    char *label = arena_string(arena, name, strlen(name));
+    for (char *at = label; *at != '\0'; at++) {
+        *at = *at == '_' ? ' ' : *at;
+    }
+    return label;
+}
+
 static bool check_draw(const struct artifact_job *job, struct output *sink, struct error *error)
 {
     const struct check_input *input = job->inputs[0];
@@ -355,7 +388,7 @@ static bool check_draw(const struct artifact_job *job, struct output *sink, stru
     }
     double x[POINTS];
     struct plot_series series[CHECK_QUANTITIES];
-    struct plot plot = {.title = arena_printf(svg.arena, "Exact rays against paraxial results: %s",
+    struct plot plot = {.title = arena_printf(svg.arena, "Exact against paraxial rays of %s",
                                               at.one.setup->lens->title),
                         .subtitle = check_subtitle(&check, svg.arena),
                         .x_label = "fraction of the aperture, or of the field",
@@ -370,6 +403,7 @@ static bool check_draw(const struct artifact_job *job, struct output *sink, stru
     }
     /* The curves of a case, which fill a page. */
     struct arena *arena = svg.arena;
+    struct check_curves compared = {.problem = &check.problem, .arena = arena};
     for (int quantity = 0; quantity < CHECK_QUANTITIES; quantity++) {
         const struct check_problem *problem = &check.problem;
         enum check_quantity what = (enum check_quantity)quantity;
@@ -377,15 +411,36 @@ static bool check_draw(const struct artifact_job *job, struct output *sink, stru
             isnan(paraxial_check_at(problem, what, 0.5, arena).scale)) {
             continue;
         }
-        double *y = ARENA_ARRAY(arena, POINTS, double);
-        for (size_t k = 0; k < POINTS; k++) {
-            struct check_value value = paraxial_check_at(problem, what, plot.x[k], arena);
-            double relative = fabs(value.exact - value.paraxial) / value.scale;
-            y[k] = relative > 1e-13 ? 100 * relative : (double)NAN;
-        }
-        series[plot.series_count] =
-            (struct plot_series){.label = names[quantity].name, .y = y, .style = plot.series_count};
+        compared.quantity[compared.count++] = what;
+        series[plot.series_count] = (struct plot_series){
+            .label = check_label(names[quantity].name, arena), .style = plot.series_count};
         plot.series_count++;
+    }
+    double *samples[CHECK_QUANTITIES];
+    for (size_t k = 0; k < compared.count; k++) {
+        samples[k] = ARENA_ARRAY(arena, POINTS, double);
+        series[k].y = samples[k];
+    }
+    for (size_t i = 0; i < POINTS; i++) {
+        double y[CHECK_QUANTITIES];
+        check_curves_at(&compared, x[i], y);
+        for (size_t k = 0; k < compared.count; k++) {
+            samples[k][i] = y[k];
+        }
+    }
+    const struct plot_source source = {
+        .curves = compared.count, .at = check_curves_at, .context = &compared, .most = BETWEEN};
+    struct plot_curves curves;
+    plot_sample(&plot, x, (const double *const *)samples, POINTS, &source, &curves, arena);
+    /* where a difference changes its sign it runs off the page */
+    for (size_t i = 0; i < curves.count; i++) {
+        curves.places[i] = curves.places[i] == PLOT_SAMPLE ? PLOT_SAMPLE : PLOT_BEYOND;
+    }
+    for (size_t k = 0; k < compared.count; k++) {
+        series[k].y = curves.y[k];
+        series[k].x = curves.x;
+        series[k].count = curves.count;
+        series[k].places = curves.places;
     }
     return plot_draw(&plot, &svg, error) && drawing_write(job, &svg, sink, error);
 }

@@ -571,5 +571,6 @@ const struct command command_conjugate = {
     .choose_sheet = conjugate_choose_sheet,
     .sheets = sheets,
     .plot = "magnification|image_principal_mm",
+    .plot_titles = "Magnification|Image distance",
     .cell = "magnification",
 };

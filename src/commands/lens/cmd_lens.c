@@ -150,6 +150,7 @@ const struct command command_lens = {
     COMMAND_OF("a lens", "first-order data: focal length, cardinal points, pupils"),
     .run = lens_run,
     .makes_many = lens_command_makes_many,
-    .plot = "bfl_mm",
+    .plot = "bfl_mm|entrance_pupil_diameter_mm|na_image",
+    .plot_titles = "Back focal distance|Entrance pupil diameter|Image-side numerical aperture",
     .cell = "efl_mm",
 };

@@ -239,5 +239,6 @@ const struct command command_lensmaker = {
     .run = lensmaker_run,
     COMMAND_MAKES(artifacts),
     .plot = "focal_mm,bfl_mm",
+    .plot_titles = "Focal length of a lens in air",
     .cell = "focal_mm",
 };

@@ -342,5 +342,6 @@ const struct command command_refract = {
                "one surface or mirror: conjugate points, a ray traced exactly and paraxially"),
     .run = refract_run,
     .plot = "crossing_mm,image_mm",
+    .plot_titles = "Spherical aberration of one surface",
     .cell = "image_mm",
 };

@@ -269,5 +269,6 @@ const struct command command_trace = {
     .varies = trace_varies,
     .brings = trace_brings,
     .plot = "y_out",
+    .plot_titles = "Ray height",
     .weight = trace_weight,
 };

@@ -446,5 +446,6 @@ const struct command command_diffraction = {
     .makes_many = makes_many,
     .varies = varies,
     .plot = "mtf_total|airy_diameter_um|fnumber",
+    .plot_titles = "MTF with diffraction|Airy disc|Sharpest f-number",
     .cell = "airy_diameter_um",
 };

@@ -589,6 +589,7 @@ const struct command command_dof = {
     .varies = varies,
     .weight = weight,
     .plot = "near_m,far_m",
+    .plot_titles = "Depth of field",
     .zone = "near far|near_sensor far_sensor",
     .cell = "near_m+far_m",
 };

@@ -230,5 +230,6 @@ const struct command command_equivalent = {
     .makes_many = makes_many,
     .varies = varies,
     .plot = "equal_focal_mm",
+    .plot_titles = "Equivalent focal length",
     .cell = "equal_focal_mm",
 };

@@ -491,5 +491,6 @@ const struct command command_exposure = {
     .varies = varies,
     .weight = weight,
     .plot = "time_s|ev100|iso",
+    .plot_titles = "Exposure time|Exposure value|Film speed",
     .cell = "ev100",
 };

@@ -320,5 +320,6 @@ const struct command command_flash = {
     COMMAND_OF("photography", "guide number, f-number, distance and power of flashes"),
     .run = flash_run,
     .plot = "distance_m|fnumber",
+    .plot_titles = "Flash range|Aperture for a flash",
     .cell = "fnumber",
 };

@@ -454,5 +454,6 @@ const struct command command_focus = {
     .varies = varies,
     .weight = weight,
     .plot = "magnification|image_mm",
+    .plot_titles = "Magnification|Image distance",
     .cell = "magnification",
 };

@@ -308,5 +308,6 @@ const struct command command_fov = {
     .varies = varies,
     .weight = weight,
     .plot = "horizontal_deg,vertical_deg,diagonal_deg",
+    .plot_titles = "Angle of view",
     .cell = "horizontal_deg",
 };

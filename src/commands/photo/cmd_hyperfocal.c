@@ -247,6 +247,7 @@ const struct command command_hyperfocal = {
     .varies = varies,
     .weight = weight,
     .plot = "hyperfocal_m,near_m",
+    .plot_titles = "Hyperfocal distance",
     .zone = "near|near_sensor",
     .cell = "hyperfocal_m+near_m",
 };

@@ -296,5 +296,6 @@ const struct command command_microscope = {
     COMMAND_OF("photography", "microscopes: resolution, field, depth of field, sampling"),
     .run = microscope_run,
     .plot = "rayleigh_um,abbe_um",
+    .plot_titles = "Resolution of a microscope",
     .cell = "rayleigh_um",
 };

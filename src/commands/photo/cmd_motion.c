@@ -304,5 +304,7 @@ const struct command command_motion = {
     COMMAND_OF("photography", "blur of moving subjects, panning, shake, rolling shutter"),
     .run = motion_run,
     .plot = "time_s|blur_um|speed_m_s",
+    .plot_titles = "Longest exposure without motion blur|Motion blur|"
+                   "Highest speed without motion blur",
     .cell = "time_s",
 };

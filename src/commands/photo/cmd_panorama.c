@@ -382,5 +382,6 @@ const struct command command_panorama = {
     .sheets = sheets,
     .makes_many = panorama_makes_many,
     .plot = "shots|columns",
+    .plot_titles = "Exposures of a panorama|Exposures in a row",
     .cell = "shots",
 };

@@ -234,5 +234,6 @@ const struct command command_pinhole = {
     COMMAND_OF("photography", "pinhole camera: best hole, f-number, exposure, field of view"),
     .run = pinhole_run,
     .plot = "diameter_mm",
+    .plot_titles = "Best pinhole",
     .cell = "diameter_mm",
 };

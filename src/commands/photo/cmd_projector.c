@@ -105,5 +105,6 @@ const struct command command_projector = {
     COMMAND_OF("photography", "throw, image size, lumens and brightness of a projector"),
     .run = projector_run,
     .plot = "luminance_cd_m2|distance_m|width_m|flux_lm",
+    .plot_titles = "Luminance of the screen|Throw distance|Width of the picture|Luminous flux",
     .cell = "distance_m",
 };

@@ -240,5 +240,6 @@ const struct command command_stars = {
     COMMAND_OF("photography", "longest exposure without star trails, and the length of trails"),
     .run = stars_run,
     .plot = "exact_s,rule_of_thumb_s,npf_s",
+    .plot_titles = "Longest exposure without star trails",
     .cell = "exact_s",
 };

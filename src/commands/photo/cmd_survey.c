@@ -197,5 +197,7 @@ const struct command command_survey = {
     COMMAND_OF("photography", "aerial surveys: ground sampling, overlaps, intervals, blur"),
     .run = survey_run,
     .plot = "gsd_cm|interval_s|longest_s|altitude_m",
+    .plot_titles = "Ground sampling distance|Interval between exposures|Longest exposure|"
+                   "Flying altitude",
     .cell = "gsd_cm",
 };

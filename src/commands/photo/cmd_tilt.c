@@ -364,6 +364,7 @@ const struct command command_tilt = {
     .run = tilt_run,
     COMMAND_MAKES(artifacts),
     .plot = "angle_deg,near_angle_deg,far_angle_deg",
+    .plot_titles = "Plane of sharp focus",
     .zone = "near_angle far_angle",
     .cell = "near_m+far_m",
 };

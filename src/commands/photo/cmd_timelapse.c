@@ -191,6 +191,7 @@ const struct command command_timelapse = {
     .name = "timelapse",
     COMMAND_OF("photography", "time-lapse and star trails: shots, interval, clip, storage"),
     .run = timelapse_run,
-    .plot = "shots|interval_s|clip_s",
+    .plot = "shots|interval_s|clip_s|event_s",
+    .plot_titles = "Exposures of a time-lapse|Interval|Length of the clip|Length of the event",
     .cell = "interval_s",
 };

@@ -490,5 +490,6 @@ const struct command command_visual = {
     .makes_many = makes_many,
     .varies = varies,
     .plot = "power|exit_pupil_mm",
+    .plot_titles = "Magnification of a telescope|Exit pupil of a telescope",
     .cell = "power",
 };
