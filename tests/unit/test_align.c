@@ -276,6 +276,28 @@ static void test_align_taken(void)
     CHECK(last > 0.77 && last < 0.8 && next >= 0.8 && next < 0.83);
 }
 
+/* Halved while both sides keep 16 pixels: how far a shift may be looked for. */
+static void test_align_sizes(void)
+{
+    static const struct {
+        size_t width, height;
+        long limit;
+    } sizes[] = {{64, 31, 1}, {31, 64, 1}, {64, 8, 1},    {8, 64, 1},
+                 {32, 32, 3}, {32, 63, 3}, {80, 1000, 7}, {1000, 80, 7}};
+    for (size_t s = 0; s < sizeof sizes / sizeof *sizes; s++) {
+        const size_t count = sizes[s].width * sizes[s].height;
+        uint8_t *greys = ARENA_ARRAY(arena, count, uint8_t);
+        struct align_step steps[2];
+        for (size_t i = 0; i < count; i++) {
+            greys[i] = (uint8_t)(60 + 130 * random_below(2));
+        }
+        struct tone_frame frames[] = {frame_of(greys, sizes[s].width, sizes[s].height, 1),
+                                      frame_of(greys, sizes[s].width, sizes[s].height, 1)};
+        align_frames(frames, 2, steps);
+        CHECK(steps[1].is_told && steps[1].limit == sizes[s].limit && steps[1].now == 0);
+    }
+}
+
 /* All eight neighbours, and three frames in a row: each goes with the one that is next longer. */
 static void test_align_ways(void)
 {
@@ -317,6 +339,7 @@ int main(void)
     test_align_quantiles();
     test_align_seen();
     test_align_taken();
+    test_align_sizes();
     test_align_ways();
     arena_free(arena);
     return check_report();
