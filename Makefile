@@ -231,8 +231,8 @@ $(BUILD)/stress/trials: $(trials) $(objects) $(solver_$(CERES)) $(BUILD)/objects
 
 ceres_packages_1 = g++ libceres-dev
 build_packages = gcc make libc6-dev libstb-dev $(ceres_packages_$(CERES))
-check_packages = $(build_packages) python3 binutils pmccabe librsvg2-bin parallel jq \
-                 libimage-exiftool-perl
+check_packages = $(build_packages) python3 binutils pmccabe librsvg2-bin fonts-dejavu-core \
+                 parallel jq libimage-exiftool-perl
 all_packages   = $(check_packages) clang clang-format libclang-rt-14-dev valgrind mawk mandoc \
                  zsh fish
 cross_packages = $(build_packages) python3 gcc-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user-static

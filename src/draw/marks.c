@@ -2,6 +2,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "draw/marks.h"
 
+#include "draw/typeset.h"
+
+#include <math.h>
+
 enum { COLOURS = 7, SHAPES = 3 };
 
 void mark_draw(struct svg *svg, size_t group, double x, double y, double radius)
@@ -34,26 +38,72 @@ static bool label_is_free(const struct label_page *page, const struct svg_box *b
            box->bottom <= frame->bottom && svg_is_free(page->taken, page->taken_count, box);
 }
 
+/* Places of the middle of a label, in half widths and heights of its own, the best first. */
+static const struct {
+    double x, y;
+} places[] = {{1, 0}, {-1, 0}, {0, -1}, {0, 1}, {1, -1}, {-1, -1}, {1, 1}, {-1, 1}};
+
+/* Half of its size, px. */
+static struct svg_box label_size(const struct svg_label *label, const char *text)
+{
+    const double x = typeset_width(text, label->size, label->bold) / 2 + 1, y = 0.42 * label->size;
+    return (struct svg_box){-x, -y, x, y};
+}
+
+static void label_draw(struct label_page *page, struct svg *svg, const struct svg_label *point,
+                       const struct svg_box *box, const char *text)
+{
+    struct svg_label label = *point;
+    label.x = (box->left + box->right) / 2;
+    label.y = box->bottom - 0.06 * point->size;
+    label.anchor = SVG_MIDDLE;
+    svg_text(svg, &label, text);
+    page->taken[page->taken_count++] = *box;
+}
+
 bool label_put(struct label_page *page, struct svg *svg, const struct svg_label *point, double gap,
                bool forced, const char *text)
 {
-    static const struct {
-        double x, y; /* place of the label's middle, in half widths and heights */
-    } places[] = {{1, 0}, {-1, 0}, {0, -1}, {0, 1}, {1, -1}, {-1, -1}, {1, 1}, {-1, 1}};
-    const double x = point->x, y = point->y, size = point->size;
-    double half_width = svg_text_width(text, size) / 2, half_height = 0.42 * size;
-    for (size_t i = 0; i < sizeof places / sizeof places[0]; i++) {
-        double shift_x = places[i].x * (half_width + gap);
-        double shift_y = places[i].y * (half_height + gap);
-        struct svg_box box = {x + shift_x - half_width, y + shift_y - half_height,
-                              x + shift_x + half_width, y + shift_y + half_height};
-        bool last = i + 1 == sizeof places / sizeof places[0];
-        if (label_is_free(page, &box) || (last && forced)) {
-            svg_words(svg, x + shift_x, box.bottom - 0.06 * size, size, SVG_MIDDLE, point->colour,
-                      text);
-            page->taken[page->taken_count++] = box;
+    const struct svg_box size = label_size(point, text);
+    const size_t count = sizeof places / sizeof places[0];
+    const int most = forced ? 12 : 1;
+    for (int ring = 0; ring < most; ring++) {
+        const double away = gap + 12 * ring;
+        for (size_t i = 0; i < count; i++) {
+            const double x = point->x + places[i].x * (size.right + away);
+            const double y = point->y + places[i].y * (size.bottom + away);
+            const struct svg_box box = {x + size.left, y + size.top, x + size.right,
+                                        y + size.bottom};
+            const bool last = forced && ring + 1 == most && i + 1 == count;
+            if (!label_is_free(page, &box) && !last) {
+                continue;
+            }
+            if (ring > 0) {
+                svg_styled_line(svg, &(struct svg_style){.stroke = "#555555", .width = 0.8},
+                                point->x, point->y, x - places[i].x * size.right,
+                                y - places[i].y * size.bottom);
+            }
+            label_draw(page, svg, point, &box, text);
             return true;
         }
     }
     return false;
+}
+
+void label_put_about(struct label_page *page, struct svg *svg, const struct svg_label *point,
+                     const char *text)
+{
+    const struct svg_box size = label_size(point, text);
+    for (double away = 0; away <= 2 * size.right; away += 3) {
+        for (int turn = 0; turn < 16; turn++) {
+            const double angle = turn * 0.39269908169872414; /* pi/8 */
+            const double x = point->x + away * cos(angle), y = point->y + away * sin(angle);
+            const struct svg_box box = {x + size.left, y + size.top, x + size.right,
+                                        y + size.bottom};
+            if (label_is_free(page, &box)) {
+                label_draw(page, svg, point, &box, text);
+                return;
+            }
+        }
+    }
 }

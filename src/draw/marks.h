@@ -26,10 +26,14 @@ void label_page_take(struct label_page *page, double x, double y, double radius)
  *
  * Given     point   x, y: the point; size and colour of the label
  *           gap     between the point and the label
- *           forced  where there is none it stands in the last of these places
+ *           forced  where there is none it stands farther off, at the end of a line
  * Result    false: it stands nowhere
  */
 bool label_put(struct label_page *page, struct svg *svg, const struct svg_label *point, double gap,
                bool forced, const char *text);
+
+/* A label at a point, or as near as there is room, within its own width; else it is left out. */
+void label_put_about(struct label_page *page, struct svg *svg, const struct svg_label *point,
+                     const char *text);
 
 #endif

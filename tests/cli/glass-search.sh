@@ -21,7 +21,7 @@ python3 - <<'END'
 import xml.etree.ElementTree as tree
 root = tree.parse("abbe.svg").getroot()
 marks = [e for e in root.iter() if e.tag.endswith("circle")]
-texts = {e.text for e in root.iter() if e.tag.endswith("text")}
+texts = {"".join(e.itertext()) for e in root.iter() if e.tag.endswith("text")}
 inside = all(0 < float(e.get("cx")) < 900 and 0 < float(e.get("cy")) < 640 for e in marks)
 print(len(marks), inside, {"N-BK7", "N-SF6", "SCHOTT", "Abbe number Vd"} <= texts)
 END

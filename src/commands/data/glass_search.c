@@ -230,6 +230,76 @@ static bool find_labelled(struct sheet_of_points *sheet, const char *names, stru
     return true;
 }
 
+/* The families by which designers speak of glasses, as SCHOTT's names begin. */
+static const char *const family_names[] = {"FK", "PK", "PSK",  "BK",  "K",    "ZK",  "BaK",
+                                           "SK", "KF", "BaLF", "SSK", "LaK",  "LLF", "BaF",
+                                           "LF", "F",  "BaSF", "LaF", "LaSF", "SF",  "KzFS"};
+
+enum { FAMILIES = sizeof family_names / sizeof family_names[0], FAMILY_MOST = 100 };
+
+/* The family of a name: "LaK" of N-LAK33B and LAKN12; FAMILIES: of none. */
+static size_t family_of(struct text name)
+{
+    if (name.length > 2 && name.start[1] == '-') {
+        name = (struct text){name.start + 2, name.length - 2};
+    }
+    size_t letters = 0;
+    while (letters < name.length && name.start[letters] > '9') {
+        letters++;
+    }
+    for (size_t cut = 0; cut < 2 && cut < letters; cut++) { /* N, L: kinds of the same family */
+        for (size_t i = 0; i < FAMILIES; i++) {
+            if (text_same((struct text){name.start, letters - cut}, family_names[i])) {
+                return i;
+            }
+        }
+        if (name.start[letters - 1] != 'N' && name.start[letters - 1] != 'L') {
+            break;
+        }
+    }
+    return FAMILIES;
+}
+
+static bool glass_family_add(const struct glass_match *match, void *context)
+{
+    struct abbe_family *families = context;
+    const size_t i = family_of(match->record.glass.name);
+    const struct glass_summary *summary = &match->summary;
+    if (i < FAMILIES && families[i].count < FAMILY_MOST && isfinite(summary->nd) &&
+        isfinite(summary->Vd)) {
+        families[i].nd[families[i].count] = summary->nd;
+        families[i].Vd[families[i].count++] = summary->Vd;
+    }
+    return true;
+}
+
+/* What the families of SCHOTT's glasses span, old and new. */
+static struct abbe_family *glass_families(struct lensdb *db, struct arena *arena)
+{
+    struct abbe_family *families = ARENA_ARRAY(arena, FAMILIES, struct abbe_family);
+    const struct interval_value any = {NAN, NAN, NAN};
+    const struct glass_input wishes = {
+        .thickness = NAN, .nd = any, .Vd = any, .PgF = any, .catalog = "SCHOTT"};
+    struct error ignored = {0};
+    for (size_t i = 0; i < FAMILIES; i++) {
+        families[i] = (struct abbe_family){family_names[i], ARENA_ARRAY(arena, FAMILY_MOST, double),
+                                           ARENA_ARRAY(arena, FAMILY_MOST, double), 0};
+    }
+    glass_search(&wishes, db, arena, glass_family_add, families, &ignored);
+    return families;
+}
+
+/* "121 glasses of SCHOTT, current": what a diagram shows. */
+static const char *glass_diagram_words(const struct sheet_of_points *sheet,
+                                       const struct glass_input *wishes)
+{
+    return arena_printf(
+        sheet->arena, "%zu %s%s%s%s%s; areas: families of SCHOTT's glasses", sheet->count,
+        sheet->count == 1 ? "glass" : "glasses", sheet->group_count == 1 ? " of " : "",
+        sheet->group_count == 1 ? sheet->groups[0] : "", wishes->status != NULL ? ", " : "",
+        wishes->status != NULL ? wishes->status : "");
+}
+
 bool glass_diagram(const struct glass_input *wishes, struct lensdb *db, struct svg *svg,
                    struct error *error)
 {
@@ -257,7 +327,13 @@ bool glass_diagram(const struct glass_input *wishes, struct lensdb *db, struct s
         }
     }
     add_wanted(sheet, wishes);
-    const struct abbe abbe = {"Abbe diagram", sheet->points, sheet->count, sheet->groups,
-                              sheet->group_count};
+    const struct abbe abbe = {.title = "Abbe diagram",
+                              .subtitle = glass_diagram_words(sheet, wishes),
+                              .families = glass_families(db, arena),
+                              .family_count = FAMILIES,
+                              .points = sheet->points,
+                              .count = sheet->count,
+                              .groups = sheet->groups,
+                              .group_count = sheet->group_count};
     return abbe_draw(&abbe, svg, error);
 }
