@@ -2,12 +2,13 @@
 /* SPDX-License-Identifier: MIT */
 #include "data/camera_name.h"
 
-#include <stdbool.h>
+#include <math.h>
 #include <stddef.h>
 #include <string.h>
 
-static const char *const series[] = {"eos", "alpha", "cybershot", "cyber", "shot",    "dsc",
-                                     "dc",  "dmc",   "powershot", "lumix", "coolpix", "finepix"};
+static const char *const series[] = {"eos",   "alpha",   "cybershot", "cyber", "shot",
+                                     "dsc",   "dc",      "dmc",       "rebel", "powershot",
+                                     "lumix", "coolpix", "finepix",   "galaxy"};
 
 static const char *const romans[] = {"ii", "iii", "iv", "v", "vi", "vii", "viii", "ix"};
 
@@ -109,4 +110,75 @@ struct text camera_name_fold(struct text model, char folded[MOST_CAMERA_NAME])
     }
     folded[used] = '\0';
     return (struct text){folded, used};
+}
+
+/* What makers are called besides their names in cameras.tsv. */
+static const struct {
+    const char *typed, *maker;
+} maker_names[] = {
+    {"Fuji", "Fujifilm"},     {"Blackmagic Design", "Blackmagic"},   {"BMD", "Blackmagic"},
+    {"Olympus", "OM System"}, {"OM Digital Solutions", "OM System"},
+};
+
+static bool cut_word(struct text *name, struct text word)
+{
+    for (size_t i = 1; word.length > 0 && i < name->length; i++) {
+        if (text_same_name((struct text){name->start, i}, word)) {
+            *name = (struct text){name->start + i, name->length - i};
+            return true;
+        }
+    }
+    return false;
+}
+
+bool camera_name_cut_maker(struct text *name, struct text maker)
+{
+    bool cut = cut_word(name, maker);
+    for (size_t i = 0; i < sizeof maker_names / sizeof maker_names[0] && !cut; i++) {
+        cut = text_equal(maker, maker_names[i].maker) &&
+              cut_word(name, text_of(maker_names[i].typed));
+    }
+    return cut;
+}
+
+void camera_name_offer_maker(struct nearest *nearest, struct text maker)
+{
+    nearest_offer(nearest, maker);
+    for (size_t i = 0; i < sizeof maker_names / sizeof maker_names[0]; i++) {
+        if (text_equal(maker, maker_names[i].maker)) {
+            nearest_offer(nearest, text_of(maker_names[i].typed));
+        }
+    }
+}
+
+/* The next character of a name that counts, as a small letter; NUL at the end. */
+static char next_of_name(struct text *rest)
+{
+    char c = '\0';
+    do {
+        c = rest->length > 0 ? small_letter(rest->start[0]) : '\0';
+        *rest = (struct text){rest->start + (c != '\0'), rest->length - (c != '\0')};
+    } while (c != '\0' && strchr(" -_", c) != NULL);
+    return c;
+}
+
+/* The number whose digits so far are `number` and goes on with a digit and those behind it. */
+static double number_to_end(double number, char next, struct text rest)
+{
+    while (char_is_digit(next)) {
+        number = 10 * number + (next - '0');
+        next = rest.length > 0 ? rest.start[0] : '\0';
+        rest = (struct text){rest.start + (next != '\0'), rest.length - (next != '\0')};
+    }
+    return number;
+}
+
+double camera_name_numbers_apart(struct text a, struct text b)
+{
+    double shared = 0; /* of the digits that both names have where they begin to differ */
+    char c, d;
+    while ((c = next_of_name(&a)) == (d = next_of_name(&b)) && c != '\0') {
+        shared = char_is_digit(c) ? 10 * shared + (c - '0') : 0;
+    }
+    return fabs(number_to_end(shared, c, a) - number_to_end(shared, d, b));
 }

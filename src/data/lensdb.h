@@ -115,7 +115,15 @@ struct lensdb_sensor {
 bool lensdb_sensors_open(struct lensdb_table *sensors, struct lensdb *db, enum lensdb_place place,
                          bool cameras, struct error *error);
 
-/* The next one; false at the end with error->code ERROR_NONE, or for a bad row. */
+/* The words of the next one; false at the end with error->code ERROR_NONE, or for a bad row. */
+bool lensdb_sensors_words(struct lensdb_table *sensors, struct lensdb_sensor *sensor,
+                          struct error *error);
+
+/* The numbers of the row whose words were read last. */
+bool lensdb_sensors_numbers(struct lensdb_table *sensors, struct lensdb_sensor *sensor,
+                            struct error *error);
+
+/* The next one, words and numbers; as lensdb_sensors_words. */
 bool lensdb_sensors_next(struct lensdb_table *sensors, struct lensdb_sensor *sensor,
                          struct error *error);
 

@@ -12,13 +12,13 @@ lenscalc stars -f 24 --columns exact,npf
 lenscalc stars -f 24 -N 2.8 --columns exact,npf
 lenscalc stars -f 24 -N 2.8 --sensor "Nikon D1" --columns exact,npf
 echo "# estimated pixels"
-lenscalc dof -f 50 -N 8 -s 2m -c 2px --sensor "Canon EOS 5D" --columns coc
+lenscalc dof -f 50 -N 8 -s 2m -c 2px --sensor "Leica M9-P" --columns coc
 lenscalc dof -f 50 -N 8 -s 2m -c 2px --sensor "Nikon D1" --columns coc
-lenscalc dof -f 50 -N 8 -s 2m --sensor "Canon EOS 5D" --columns coc
-lenscalc hyperfocal -f 50 -N 8 -c 2px --sensor "EOS 5D,Nikon D100" --csv --columns sensor,coc_mm
-lenscalc diffraction -N 8 --sensor "Canon EOS 5D" --columns nyquist --json
-lenscalc motion -f 50 -s 10m --speed 5km/h -t 1/60 --sensor "Canon EOS 5D" --csv --columns blur_pixels
-lenscalc stars -f 24 -N 2.8 --sensor "Canon EOS 5D" --columns npf
+lenscalc dof -f 50 -N 8 -s 2m --sensor "Leica M9-P" --columns coc
+lenscalc hyperfocal -f 50 -N 8 -c 2px --sensor "Leica M9-P,Kodak DCS760" --csv --columns sensor,coc_mm
+lenscalc diffraction -N 8 --sensor "Leica M9-P" --columns nyquist --json
+lenscalc motion -f 50 -s 10m --speed 5km/h -t 1/60 --sensor "Leica M9-P" --csv --columns blur_pixels
+lenscalc stars -f 24 -N 2.8 --sensor "Leica M9-P" --columns npf
 echo "# many rows, few words"
 printf 'N,s_m\n0.3,2\n0.31,3\n2,3\n0.3,4\n' | lenscalc dof -f 50 --batch - --csv --columns near_m --digits 4
 printf 'N,s_m\nT2,2\n' | lenscalc dof -f 50 --batch - --json --columns near_m --digits 4

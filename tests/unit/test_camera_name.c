@@ -27,6 +27,8 @@ static const struct {
     {"z62", "Z 6II", "z62"},
     {"om-1 mark 2", "OM-1 Mark II", "om12"},
     {"HERO12 Black", "HERO12 Black", "hero12black"},
+    {"S24 Ultra", "Galaxy S24 Ultra", "s24ultra"},
+    {"t7i", "EOS Rebel T7i", "t7i"},
     {"D3s", "D3s", "d3s"},
     {"1 V1", "1 V1", "1v1"},
 };
@@ -44,6 +46,56 @@ static void check_names(void)
     CHECK(camera_name_fold((struct text){longest, sizeof longest}, folded).length <
           MOST_CAMERA_NAME);
     CHECK(camera_name_fold((struct text){longest, 0}, folded).length == 0);
+}
+
+/* Of names that differ in a number, how far apart they are; worked out by hand. */
+static void check_apart(void)
+{
+    static const struct {
+        const char *a, *b;
+        double apart;
+    } pairs[] = {
+        {"HERO 14", "HERO12 Black", 2},
+        {"iPhone 18 pro", "iPhone 17", 1},
+        {"EOS R55", "EOS R5", 50},
+        {"EOS R5 II", "EOS R50", 45},
+        {"Pixel 10", "Pixel 8", 2},
+        {"D850", "D850", 0},
+        {"A7 IV", "A7 III", 0},
+        {"IMX420", "imx-421", 1},
+        {"", "D5", 0},
+        {"7", "12", 5},
+    };
+    for (size_t i = 0; i < sizeof pairs / sizeof pairs[0]; i++) {
+        CHECK_NEAR(camera_name_numbers_apart(text_of(pairs[i].a), text_of(pairs[i].b)),
+                   pairs[i].apart, 0, pairs[i].a);
+        CHECK_NEAR(camera_name_numbers_apart(text_of(pairs[i].b), text_of(pairs[i].a)),
+                   pairs[i].apart, 0, pairs[i].a);
+    }
+}
+
+/* The hint of a name that no camera has. */
+static void check_hint(struct lensdb *db, const char *typed, const char *hint)
+{
+    struct lensdb_sensor sensor;
+    struct error error;
+    CHECK(!lensdb_find_sensor(db, text_of(typed), &sensor, &error));
+    const bool is_it = strstr(error.hint, hint) != NULL;
+    if (!is_it) {
+        fprintf(stderr, "%s: '%s'\n", typed, error.hint);
+    }
+    CHECK(is_it);
+}
+
+static void check_hints(struct lensdb *db)
+{
+    check_hint(db, "cannon 5d", "did you mean 'Canon EOS 5D'?");
+    check_hint(db, "nikkon d850", "did you mean 'Nikon D850'?");
+    check_hint(db, "fuij x-t5", "did you mean 'Fujifilm X-T5'?");
+    check_hint(db, "sonny a7 iix", "nearest of its family: '");
+    check_hint(db, "Pixel 9 Pro", "'Pixel 8' (9.8 x 7.35 mm), 'Pixel 8 Pro'");
+    check_hint(db, "Samsung S24", "nearest of its family: 'Galaxy S24 Ultra'");
+    check_hint(db, "zzz 5d", "see 'lenscalc list formats'");
 }
 
 struct folded_camera {
@@ -94,6 +146,8 @@ int main(void)
     struct arena arena = {0};
     struct lensdb db = {.arena = &arena};
     check_names();
+    check_apart();
+    check_hints(&db);
     check_unique(&db);
     arena_free(&arena);
     return check_report();
