@@ -15,7 +15,8 @@ struct viewing_task {
  * The tasks of IEC 62676-4:2014 (DORI) and behind them those of its edition of 2025.
  *
  * Source    [IEC14] 2014: 80, 40, 16, 8, 4 and 1 mm per pixel, table 3 of EN 62676-4:2015, too;
- *           2025: 20, 40, 80, 125, 250, 500 and 1500 px/m. EN 50132-7:2012 has the 2014 tasks but
+ *           2025: 20, 40, 80, 125, 250, 500 and 1500 px/m, of which 500 and the names have a second
+ *           printed source, the others only that of [IEC14]. EN 50132-7:2012 has the 2014 tasks but
  *           in percent of the height of a screen
  * Limits    of the pixels alone: what light, compression and motion take is not in them
  */

@@ -17,7 +17,8 @@ extern const struct word sky_objects[];
  *           and moon, of a planet the difference of its mean distance from the Sun and the Earth's
  * Source    [NSSDC] for R and d; deep-sky objects: the sizes of [Frommert] in arcmin
  * Limits    the moon varies by 7 % about its mean, the sun by 1.7 %, Mars at its oppositions from
- *           14 to 25 arcsec; galaxies and nebulae have no edge, and photographs show more of them
+ *           14 to 25 arcsec; galaxies, nebulae and clusters have no edge, and photographs show more
+ *           of them: M13 has 20 arcmin in [Frommert] and on star charts, 10 to 23 in other lists
  */
 double sky_angle(int object);
 
