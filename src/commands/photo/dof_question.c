@@ -25,8 +25,9 @@ bool dof_question_stop(const struct dof_question *input, const struct photo_lens
     if (input->na >= 1) {
         fail(error, ERROR_USAGE, "{--na} %g is out of range: in air it is above 0 and below 1",
              input->na);
-        return error_hint(error, "of an immersed objective, with its index and diffraction: "
-                                 "lenscalc microscope --na %g --immersion oil -m 60",
+        return error_hint(error,
+                          "of an immersed objective, with its index and diffraction: "
+                          "lenscalc microscope --na %g --immersion oil -m 60",
                           input->na);
     }
     if (isnan(lens->f) || (isnan(m) && !isfinite(input->distance))) {
