@@ -58,7 +58,7 @@ folders := base light scene report photo cli cli/options cli/question cli/batch 
            analysis/waves analysis/image analysis/model analysis/real analysis/layout trace/kernel trace trace/aim \
            trace/pupil data file exchange exchange/zemax exchange/codev exchange/oslo exchange/metadata commands/lens \
            commands/analysis commands/data design design/merit design/solver design/fit \
-           design/tolerance commands/design draw base/image camera/sensor camera/film \
+           design/tolerance commands/design draw draw/terminal base/image camera/sensor camera/film \
            camera/subject camera/photograph tone commands/camera
 apart   := src/main.c src/data/embed.c src/design/solver/solver_engines.c $(kernels)
 sources := $(filter-out $(apart),$(foreach folder,$(folders),$(wildcard src/$(folder)/*.c)))

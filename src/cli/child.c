@@ -7,6 +7,7 @@
 #include <poll.h>
 #include <signal.h>
 #include <spawn.h>
+#include <stdio.h>
 #include <string.h>
 #include <sys/wait.h>
 #include <time.h>
@@ -69,9 +70,10 @@ static bool signal_waits(const sigset_t *usual)
 /*
  * One that is read is in a group of its own, so that all that it starts can be ended.
  *
- * Given     mask  the signals that are to be held back from it; null: as they are
+ * Given     input  a descriptor that it reads; -1: nothing
+ *           mask   the signals that are to be held back from it; null: as they are
  */
-static int child_spawn(const struct child *child, const struct child_stream *streams,
+static int child_spawn(const struct child *child, int input, const struct child_stream *streams,
                        const sigset_t *mask, pid_t *id)
 {
     posix_spawn_file_actions_t files;
@@ -87,7 +89,11 @@ static int child_spawn(const struct child *child, const struct child_stream *str
         posix_spawn_file_actions_destroy(&files);
         return failure;
     }
-    posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    if (input >= 0) {
+        posix_spawn_file_actions_adddup2(&files, input, STDIN_FILENO);
+    } else {
+        posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    }
     if (child->is_read) {
         posix_spawn_file_actions_adddup2(&files, streams[0].to, STDOUT_FILENO);
         posix_spawn_file_actions_adddup2(&files, streams[1].to, STDERR_FILENO);
@@ -235,8 +241,8 @@ static struct text first_line(struct text text)
     return text.length > 0 ? text_trim(text_cut(&text, '\n')) : text_of("");
 }
 
-static bool child_read(const struct child *child, struct child_end *end, struct arena *arena,
-                       struct error *error)
+static bool child_read(const struct child *child, int input, struct child_end *end,
+                       struct arena *arena, struct error *error)
 {
     struct child_stream streams[STREAMS];
     sigset_t usual;
@@ -248,7 +254,7 @@ static bool child_read(const struct child *child, struct child_end *end, struct 
                     strerror(reason));
     }
     signals_hold(&usual);
-    const int failure = child_spawn(child, streams, &usual, &id);
+    const int failure = child_spawn(child, input, streams, &usual, &id);
     end_close(&streams[0].to);
     end_close(&streams[1].to);
     if (failure == 0) {
@@ -267,17 +273,53 @@ static bool child_read(const struct child *child, struct child_end *end, struct 
            fail(error, ERROR_IO, "%s does not start: %s", child->words[0], strerror(failure));
 }
 
+/* -------- what it reads -------- */
+
+static void input_close(FILE *input)
+{
+    if (input != NULL) {
+        fclose(input);
+    }
+}
+
+/* A temporary file of its input, which it reads from the beginning. */
+static bool input_open(const struct child *child, FILE **input, struct error *error)
+{
+    const struct text text = child->input;
+    *input = tmpfile();
+    const bool done = *input != NULL && fcntl(fileno(*input), F_SETFD, FD_CLOEXEC) == 0 &&
+                      fwrite(text.start, 1, text.length, *input) == text.length &&
+                      fflush(*input) == 0 && fseek(*input, 0, SEEK_SET) == 0 &&
+                      lseek(fileno(*input), 0, SEEK_SET) == 0;
+    if (!done) {
+        const int reason = errno;
+        input_close(*input);
+        *input = NULL;
+        return fail(error, ERROR_IO, "no temporary file for what %s reads: %s", child->words[0],
+                    strerror(reason));
+    }
+    return true;
+}
+
 bool child_run(const struct child *child, struct child_end *end, struct arena *arena,
                struct error *error)
 {
     pid_t id;
+    FILE *input = NULL;
     *end = (struct child_end){.output = {"", 0}, .said = {"", 0}};
     /* who ignores its children, as what started this program may do, is not told how they end */
     signal(SIGCHLD, SIG_DFL);
-    if (child->is_read) {
-        return child_read(child, end, arena, error);
+    if (child->input.start != NULL && !input_open(child, &input, error)) {
+        return false;
     }
-    const int failure = child_spawn(child, NULL, NULL, &id);
+    const int from = input != NULL ? fileno(input) : -1;
+    if (child->is_read) {
+        const bool done = child_read(child, from, end, arena, error);
+        input_close(input);
+        return done;
+    }
+    const int failure = child_spawn(child, from, NULL, NULL, &id);
+    input_close(input);
     if (failure != 0) {
         return fail(error, ERROR_IO, "%s does not start: %s", child->words[0], strerror(failure));
     }

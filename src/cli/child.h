@@ -12,6 +12,7 @@ struct child {
     char *const *words; /* the program, a path or a name that is looked for in PATH, and its
                            arguments; ends with null */
     bool is_read;       /* keep what it prints, else only what it says reaches standard error */
+    struct text input;  /* what it reads from standard input; its start null: nothing */
     double seconds;     /* after which it is ended, if it is read */
     size_t most;        /* bytes that it may print, or say, if it is read */
 };
@@ -24,10 +25,11 @@ struct child_end {
 };
 
 /*
- * Run a program to its end. It reads nothing: its standard input is empty. If this program is
- * interrupted meanwhile, so is the other one.
+ * Run a program to its end. What it reads lies in a temporary file without a name. If this program
+ * is interrupted meanwhile, so is the other one.
  *
- * Errors    ERROR_IO: it does not start, but for one that is to be read and missing; no pipe
+ * Errors    ERROR_IO: it does not start, but for one that is to be read and missing; no pipe; no
+ *           room for its input
  */
 bool child_run(const struct child *child, struct child_end *end, struct arena *arena,
                struct error *error);

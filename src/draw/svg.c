@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/arena.h"
+#include "base/base64.h"
 #include "base/number.h"
 #include "base/text.h"
 #include "draw/typeset.h"
@@ -210,19 +211,9 @@ void svg_image(struct svg *svg, double x, double y, double width, double height,
               "height=\"#\" preserveAspectRatio=\"none\" image-rendering=\"optimizeSpeed\" "
               "style=\"image-rendering:pixelated\" xlink:href=\"data:image/png;base64,",
               x, y, width, height);
-    /* Three bytes become four letters (RFC 4648). */
-    static const char letters[] =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     for (size_t i = 0; i < png.length; i += 3) {
-        unsigned group = 0;
         char four[4];
-        for (size_t k = 0; k < 3; k++) {
-            group =
-                group << 8 | (i + k < png.length ? (unsigned)(unsigned char)png.start[i + k] : 0u);
-        }
-        for (size_t k = 0; k < 4; k++) {
-            four[k] = i + k > png.length ? '=' : letters[group >> (18 - 6 * k) & 63];
-        }
+        base64_letters(png, i, four);
         put_bytes(svg, four, sizeof four);
     }
     svg_put(svg, "\"/>\n");

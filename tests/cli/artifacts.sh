@@ -1,7 +1,7 @@
 # what is made beside rows or in their place: endings, places and exclusions come before any row
 say() { lenscalc "$@"; echo "status $?"; }
 exec 2>&1
-say dof -f 50 -N 4 -s 3 --columns near_m --scale scale.png
+say dof -f 50 -N 4 -s 3 --columns near_m --scale scale.gif
 say dof -f 50 -N 4 -s 1..3 --columns near_m --plot plot.csv
 say dof -f 50 -N 4 -s 1..3 --columns near_m --scale scale.svg
 say dof -f 50 -N 4 -s 3 --columns near_m --scale
@@ -16,9 +16,9 @@ say tilt -f 150 -N 22 --tilt 5 --angle 90 --depth 5m
 say check double-gauss -w d,F --plot check.svg
 say check double-gauss --plot check.svg --csv --columns relative -o rows.csv > /dev/null && ls
 say check nikkor-z-14-24 --position wide,tele --plot check.svg
-say pupil double-gauss --field 0,5 --columns error --plot pupils.pdf
+say pupil double-gauss --field 0,5 --columns error --plot pupils.eps
 say lensmaker --r1 50 --r2 -50 -n 1.5 --lens-file lens.zmx
-say draw double-gauss -o lens.png
+say draw double-gauss -o lens.tif
 say draw double-gauss -N 2,4
 say convert double-gauss -o lens
 say convert double-gauss -o lens --to json && head -c 1 lens && echo

@@ -21,5 +21,5 @@ refused() {
 refused -f 10cm --object 0 --diagram rays.svg
 refused double-gauss --object 1m --diagram rays.svg
 refused -f 10cm --object 1m --object-medium water --diagram rays.svg
-refused -f 10cm --object 1m --diagram rays.png
+refused -f 10cm --object 1m --diagram rays.gif
 refused -f 10cm,20cm --object 1m --diagram rays.svg

@@ -14,7 +14,7 @@ grep -e '<title>a' -e 'lenscalc lens' odd.svg | sort -u
 rm odd.svg it*.lens
 # refused
 lenscalc report
-lenscalc report double-gauss -o page.pdf
+lenscalc report double-gauss -o page.eps
 lenscalc report no-such-lens
 lenscalc report double-gauss --position wide
 lenscalc report double-gauss wide-35

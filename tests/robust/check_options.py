@@ -441,6 +441,12 @@ def try_color(asked):
     return asked.run("--no-such-option", "--color", "always").stderr.startswith(b"\033[")
 
 
+def try_terminal(asked):
+    """How something is shown, where it is: without, it has nothing to do."""
+    result = asked.run("--terminal", "sixel")
+    return result.returncode == 2 and b"a file called term is the terminal" in result.stderr
+
+
 TRIES = {
     "--format": try_format, "--columns": try_columns, "--digits": try_digits,
     "--value": try_value, "--no-header": try_no_header,
@@ -452,6 +458,7 @@ TRIES = {
     "--batch-format": try_batch_format, "--fail-fast": try_fail_fast, "--force": try_force,
     "--output": try_output, "--lensdb": try_lensdb, "--agf": try_agf, "--lossy": try_lossy,
     "--glass-numbers": try_glass_numbers, "--stop-size": try_stop_size, "--color": try_color,
+    "--terminal": try_terminal,
     "--kit": try_kit, "--no-config": try_no_config, "--help": try_help, "--usage": try_usage,
 }
 TRIES.update({f"--{name}": try_short(name) for name in ("csv", "tsv", "json", "jsonl")})

@@ -2,8 +2,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "cli/batch/batch.h"
 #include "cli/question/command.h"
+#include "cli/question/showing.h"
 #include "report/report.h"
 #include "report/terminal.h"
+#include "report/terminal_query.h"
 
 #include <string.h>
 
@@ -69,7 +71,7 @@ const struct option common_options[] = {
     {COMMON(table), .name = "table", .value = "ROW,COL[:VALUE]",
      .help = "cross-table of two swept options; VALUE is a column, or two as near_m+far_m"},
     {COMMON(plot), .name = "plot", .value = "FILE", .flags = OPTION_FILE, .types = drawing_types,
-     .help = "draw the results against the swept option"},
+     .help = "draw the results against the swept option; term: on the terminal"},
     {COMMON(theme), .name = "theme", .value = "THEME", .flags = OPTION_ASIDE, .words = theme_words,
      .fallback = "light", .help = "colours of drawings"},
     {COMMON(title), .name = "title", .value = "TEXT", .flags = OPTION_ASIDE | OPTION_EMPTY,
@@ -115,6 +117,9 @@ const struct option common_options[] = {
      .help = "take no defaults from the configuration (also an empty variable LENSCALC_CONFIG)"},
     {COMMON(color), .name = "color", .value = "WHEN", .flags = OPTION_ASIDE, .words = color_words,
      .fallback = "auto", .help = "colour table heads, warnings and errors"},
+    {COMMON(terminal), .name = "terminal", .value = "GRAPHICS", .flags = OPTION_ASIDE,
+     .words = graphics_words, .fallback = "auto",
+     .help = "how a drawing or picture is shown whose file is called term, as --plot term"},
     {COMMON(usage), .name = "usage", .letter = 'h', .flags = OPTION_ASIDE,
      .help = "show examples and the command's own options, one line each"},
     {COMMON(help), .name = "help", .flags = OPTION_ASIDE,
@@ -202,6 +207,16 @@ static bool has_drawings(const struct command *command)
     bool found = has_curves(command);
     for (size_t i = 0; i < command->artifact_count && !found; i++) {
         found = option_draws(&command->artifacts[i].option);
+    }
+    return found;
+}
+
+/* Drawings, or pictures. */
+static bool shows_something(const struct command *command)
+{
+    bool found = has_drawings(command);
+    for (size_t i = 0; i < command->artifact_count && !found; i++) {
+        found = showing_is_possible(command->artifacts[i].option.types);
     }
     return found;
 }
@@ -305,6 +320,7 @@ static const struct {
     {"title", has_drawings, "draws nothing", 0},
     {"subtitle", has_drawings, "draws nothing", 0},
     {"explain", has_formulas, "has no formulas to show", 0},
+    {"terminal", shows_something, "draws nothing", 0},
     {"nominal", has_series, "takes no f-number, time or ISO", 0},
     {"batch", takes_many, "reads no rows", 0},
     {"batch-format", takes_many, "reads no rows", 0},

@@ -166,6 +166,7 @@ static bool order_artifacts(struct driver *driver, struct error *error)
                                              .is_batch = driver->is_batch,
                                              .many = driver->report.many,
                                              .is_inside = driver->is_inside,
+                                             .is_text = driver->report.format == &format_text,
                                              .asking = &driver->asking,
                                              .run = &driver->run,
                                              .arena = &driver->arena};

@@ -5,6 +5,7 @@
 #include "base/name_table.h"
 #include "cli/question/arguments.h"
 #include "cli/question/inputs.h"
+#include "cli/question/showing.h"
 #include "cli/question/sweep.h"
 #include "optics/growing.h"
 #include "report/place.h"
@@ -37,6 +38,19 @@ static const char *const known_endings[] = {".svg", ".png", ".pfm",  ".jpg",  ".
                                             ".csv", ".tsv", ".json", ".html", ".part", ".lens",
                                             ".zmx", ".seq", ".len",  ".agf",  NULL};
 
+/* The endings of what can be written, drawings also in the forms that they are converted to. */
+static const char *job_endings(file_types *types, bool is_drawing, struct arena *arena)
+{
+    if (!is_drawing) {
+        return file_type_endings(types, arena);
+    }
+    const char *all = "";
+    for (size_t i = 0; types(i) != NULL; i++) {
+        all = arena_printf(arena, "%s%s, ", all, types(i)->ending);
+    }
+    return arena_printf(arena, "%s.png or .pdf", all);
+}
+
 /*
  * What the file shall hold: what the input asks for, else what its name says. Where only one thing
  * can be written any name will do that is not the name of something else.
@@ -49,9 +63,20 @@ static bool job_choose_type(struct artifact_job *job, struct arena *arena, struc
     if (types == NULL || job->type != NULL) {
         return true;
     }
+    const struct file_type *drawing = file_type_of(types, text_of("x.svg"));
+    if (job->form == ARTIFACT_SHOWN) {
+        job->type = drawing != NULL ? drawing : file_type_of(types, text_of("x.png"));
+        return true;
+    }
     bool nameless = place_is_standard(job->path, arena);
     struct text path = text_of(nameless ? "" : job->path);
     job->type = file_type_of(types, path);
+    if (job->type == NULL && drawing != NULL &&
+        (file_type_ends(path, ".png") || file_type_ends(path, ".pdf"))) {
+        job->type = drawing;
+        job->form = file_type_ends(path, ".png") ? ARTIFACT_AS_PNG : ARTIFACT_AS_PDF;
+        return showing_check_converter(job, arena, error);
+    }
     size_t known = 0;
     while (known_endings[known] != NULL && !file_type_ends(path, known_endings[known])) {
         known++;
@@ -64,9 +89,29 @@ static bool job_choose_type(struct artifact_job *job, struct arena *arena, struc
         return true;
     }
     fail(error, ERROR_USAGE, "--%s '%s': the name must end in %s", artifact->option.name, job->path,
-         file_type_endings(types, arena));
+         job_endings(types, drawing != NULL, arena));
     return artifact->chooser != NULL &&
            error_hint(error, "or choose the format with --%s", artifact->chooser);
+}
+
+/* "term" is the terminal, where drawings and pictures can be shown. */
+static bool job_find_form(struct artifact_job *job, const struct artifact_setting *setting,
+                          struct error *error)
+{
+    if (job->path == NULL || strcmp(job->path, "term") != 0 ||
+        !showing_is_possible(job->artifact->option.types)) {
+        return true;
+    }
+    job->form = ARTIFACT_SHOWN;
+    job->path = NULL;
+    if (setting->command->run == NULL || setting->is_text ||
+        !place_is_standard(setting->common->output, setting->arena)) {
+        return true;
+    }
+    fail(error, ERROR_USAGE,
+         "--%s term draws below a table for reading, not among rows for programs",
+         job->artifact->option.name);
+    return error_hint(error, "--output FILE writes the rows elsewhere; ./term is a file");
 }
 
 static bool check_scope(const struct artifact_job *job, const struct artifact_setting *setting,
@@ -180,19 +225,40 @@ static const void *const *inputs_of(const struct artifact_setting *setting, size
     return inputs;
 }
 
+/* Bytes go to files and pipes. */
+static bool check_bytes(const struct artifact_job *job, struct arena *arena, struct error *error)
+{
+    const char *name = job->artifact->option.name;
+    if (!place_is_standard(job->path, arena) || !isatty(STDOUT_FILENO)) {
+        return true;
+    }
+    fail(error, ERROR_USAGE, "a terminal shows no such files");
+    return error_hint(error, "--%s FILE writes one, --%s term draws it here", name, name);
+}
+
+/* One, or one for each input, or as many as one answer is. */
+static size_t job_count_files(const struct artifact_job *job)
+{
+    const struct artifact *artifact = job->artifact;
+    const bool gathers = artifact->gathers != NULL && job->type != NULL &&
+                         strcmp(job->type->ending, artifact->gathers) == 0;
+    if (artifact->scope == ARTIFACT_OF_EACH && !gathers) {
+        return job->count;
+    }
+    return artifact->count != NULL ? artifact->count(job->inputs[0]) : 1;
+}
+
 /* One more, if nothing speaks against it. */
 static bool artifact_order(struct artifacts *artifacts, const struct artifact_setting *setting,
                            struct artifact_job job, struct error *error)
 {
     const struct artifact *artifact = job.artifact;
-    if (!check_scope(&job, setting, error)) {
+    if (!check_scope(&job, setting, error) || !job_find_form(&job, setting, error)) {
         return false;
     }
-    /* bytes go to files and pipes */
-    if (artifact->is_binary && place_is_standard(job.path, setting->arena) &&
-        isatty(STDOUT_FILENO)) {
-        fail(error, ERROR_USAGE, "a terminal shows no such files");
-        return error_hint(error, "--%s FILE writes one", artifact->option.name);
+    const bool is_shown = job.form == ARTIFACT_SHOWN;
+    if (artifact->is_binary && !is_shown && !check_bytes(&job, setting->arena, error)) {
+        return false;
     }
     const bool is_each = artifact->scope == ARTIFACT_OF_EACH;
     job.count = is_each || artifact->scope == ARTIFACT_OF_SWEEP ? setting->sweep->total : 1;
@@ -208,18 +274,10 @@ static bool artifact_order(struct artifacts *artifacts, const struct artifact_se
     if (!job_choose_type(&job, setting->arena, error)) {
         return false;
     }
-    const bool gathers = artifact->gathers != NULL && job.type != NULL &&
-                         strcmp(job.type->ending, artifact->gathers) == 0;
     job.first = artifacts->files;
-    if (is_each && !gathers) {
-        job.files = job.count;
-    } else if (artifact->count != NULL) {
-        job.files = artifact->count(job.inputs[0]);
-    } else {
-        job.files = 1;
-    }
+    job.files = job_count_files(&job);
     /* several files want names */
-    if (job.files != 1 && place_is_standard(job.path, setting->arena)) {
+    if (job.files != 1 && !is_shown && place_is_standard(job.path, setting->arena)) {
         return fail(error, ERROR_USAGE, "%zu files do not go to standard output: --%s FILE",
                     job.files, job.artifact->option.name);
     }
@@ -239,6 +297,67 @@ bool artifacts_asked(const struct command *command, const struct arguments *argu
         asked = asked || arguments->all[command->option_count + i].is_given;
     }
     return asked;
+}
+
+/* The option by which a command shows something: its first drawing or picture, else its curves. */
+static const char *artifact_shown_by(const struct command *command)
+{
+    for (size_t i = 0; i < command->artifact_count; i++) {
+        if (showing_is_possible(command->artifacts[i].option.types)) {
+            return command->artifacts[i].option.name;
+        }
+    }
+    return "plot";
+}
+
+/* --terminal has nothing to say where nothing is shown. */
+static bool check_terminal(const struct artifacts *artifacts,
+                           const struct artifact_setting *setting, struct error *error)
+{
+    bool any_shown = false;
+    for (size_t i = 0; i < artifacts->count; i++) {
+        any_shown = any_shown || artifacts->jobs[i].form == ARTIFACT_SHOWN;
+    }
+    if (any_shown || !asking_given(setting->asking, "terminal")) {
+        return true;
+    }
+    fail(error, ERROR_USAGE, "--terminal says how a drawing is shown, and none is");
+    return error_hint(error, "a file called term is the terminal: --%s term",
+                      artifact_shown_by(setting->command));
+}
+
+/* Their sinks. */
+static bool artifacts_open(struct artifacts *artifacts, const struct artifact_setting *setting,
+                           struct error *error)
+{
+    struct arena *arena = setting->arena;
+    artifacts->common = setting->common;
+    artifacts->arena = arena;
+    artifacts->has_rows = setting->command->run != NULL;
+    artifacts->sinks = ARENA_ARRAY(arena, artifacts->files + 1, struct output);
+    artifacts->inner = ARENA_ARRAY(arena, artifacts->files + 1, struct output);
+    for (size_t i = 0; i < artifacts->count; i++) {
+        const struct artifact_job *ordered = &artifacts->jobs[i];
+        for (size_t k = 0; k < ordered->files; k++) {
+            struct output *sink = &artifacts->sinks[artifacts->open];
+            if (ordered->form != ARTIFACT_AS_MADE) {
+                output_inside(&artifacts->inner[artifacts->open], arena);
+            }
+            const bool is_shown = ordered->form == ARTIFACT_SHOWN;
+            const char *path = is_shown ? NULL : numbered(ordered, k, arena);
+            if (setting->is_inside) {
+                output_inside(sink, arena);
+            } else if (output_open(sink, path, arena, error)) {
+                if (!is_shown) {
+                    terminal_guard(sink); /* what is shown has been */
+                }
+            } else {
+                return false;
+            }
+            artifacts->open++;
+        }
+    }
+    return true;
 }
 
 bool artifacts_order(struct artifacts *artifacts, const struct artifact_setting *setting,
@@ -269,23 +388,22 @@ bool artifacts_order(struct artifacts *artifacts, const struct artifact_setting 
     if (columns != NULL && !artifact_order(artifacts, setting, job, error)) {
         return false;
     }
-    struct arena *arena = setting->arena;
-    artifacts->sinks = ARENA_ARRAY(arena, artifacts->files + 1, struct output);
-    for (size_t i = 0; i < artifacts->count; i++) {
-        const struct artifact_job *ordered = &artifacts->jobs[i];
-        for (size_t k = 0; k < ordered->files; k++) {
-            struct output *sink = &artifacts->sinks[artifacts->open];
-            if (setting->is_inside) {
-                output_inside(sink, arena);
-            } else if (output_open(sink, numbered(ordered, k, arena), arena, error)) {
-                terminal_guard(sink);
-            } else {
-                return false;
-            }
-            artifacts->open++;
-        }
+    return check_terminal(artifacts, setting, error) && artifacts_open(artifacts, setting, error);
+}
+
+/* What was made in memory becomes what was asked for. */
+static bool job_convert(const struct artifacts *artifacts, const struct artifact_job *job,
+                        struct error *error)
+{
+    bool done = true;
+    for (size_t k = 0; k < job->files && done; k++) {
+        struct output *made = &artifacts->inner[job->first + k];
+        struct output *sink = &artifacts->sinks[job->first + k];
+        sink->remarks = made->remarks;
+        sink->is_unused = made->is_unused;
+        done = made->is_unused || showing_convert(artifacts, job, output_kept(made), sink, error);
     }
-    return true;
+    return done;
 }
 
 bool artifacts_make(const struct artifacts *artifacts, struct error *error)
@@ -293,7 +411,10 @@ bool artifacts_make(const struct artifacts *artifacts, struct error *error)
     bool done = true;
     for (size_t i = 0; i < artifacts->count && done; i++) {
         const struct artifact_job *job = &artifacts->jobs[i];
-        done = job->artifact->make(job, &artifacts->sinks[job->first], error);
+        const bool is_converted = job->form != ARTIFACT_AS_MADE;
+        struct output *into = is_converted ? artifacts->inner : artifacts->sinks;
+        done = job->artifact->make(job, &into[job->first], error) &&
+               (!is_converted || job_convert(artifacts, job, error));
         /* some files may not be made: one of that name that is there stays, and is told */
         for (size_t k = 0; done && k < job->files; k++) {
             struct output *sink = &artifacts->sinks[job->first + k];
@@ -329,6 +450,15 @@ void artifacts_abandon(const struct artifacts *artifacts)
 bool artifacts_close(struct artifacts *artifacts, bool keep, struct error *error)
 {
     bool done = true;
+    /* what is shown stands behind the rows, in the order in which it was asked for */
+    for (size_t i = 0; i < artifacts->count && keep; i++) {
+        const struct artifact_job *job = &artifacts->jobs[i];
+        for (size_t k = 0; k < job->files && job->form == ARTIFACT_SHOWN; k++) {
+            const struct text shown = output_kept(&artifacts->inner[job->first + k]);
+            output_text(&artifacts->sinks[job->first + k], shown.start, shown.length);
+            output_flush(&artifacts->sinks[job->first + k]);
+        }
+    }
     while (artifacts->open > 0) {
         struct error closing;
         if (!output_close(&artifacts->sinks[--artifacts->open], keep && done, &closing) && keep) {

@@ -44,9 +44,18 @@ enum artifact_scope {
     ARTIFACT_OF_ROWS,   /* the rows of all of them, which the driver keeps and counts */
 };
 
+/* What becomes of what `make` writes: see cli/question/showing.h. */
+enum artifact_form {
+    ARTIFACT_AS_MADE,
+    ARTIFACT_SHOWN,  /* on the terminal: the file is called "term" */
+    ARTIFACT_AS_PNG, /* a drawing, by another program */
+    ARTIFACT_AS_PDF
+};
+
 /* An artifact that was asked for. */
 struct artifact_job {
     const struct artifact *artifact;
+    enum artifact_form form;
     const char *path;             /* null: standard output */
     const struct file_type *type; /* of artifact->option.types; null if it has none */
     const void *const *inputs;    /* as the options set them; of one answer inputs[0] alone */
@@ -114,7 +123,11 @@ struct artifacts {
     struct artifact_job *jobs;
     size_t count;
     struct output *sinks; /* of each job its own, one after the other */
+    struct output *inner; /* in memory, of those that become something else */
     size_t files, open;
+    const struct common *common;
+    struct arena *arena;
+    bool has_rows; /* before what is shown */
 };
 
 /* The driver's part of every job. */
@@ -126,6 +139,7 @@ struct artifact_setting {
     void *input; /* changes with the sweep */
     bool is_batch, many;
     bool is_inside; /* sinks stay in memory */
+    bool is_text;   /* rows are printed as a table for reading */
     const struct option_query *asking;
     struct run *run;
     struct arena *arena;
@@ -139,6 +153,9 @@ bool artifacts_asked(const struct command *command, const struct arguments *argu
  *
  * Given     columns  the artifact of the common --plot; null: it is not asked for
  *           context  for that one
+ * A drawing or PNG whose file is called "term" is shown on standard output; a drawing whose file
+ * ends in .png or .pdf is converted.
+ *
  * Errors    ERROR_USAGE: a file name with the ending of something else, two artifacts in one file,
  *           several answers or more inputs than an artifact shows; ERROR_IO: a file that is kept,
  *           or cannot be written; as the artifact's own `check`

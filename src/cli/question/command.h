@@ -176,6 +176,7 @@ struct common {
     bool usage, help;
     const char *columns, *value, *output, *lensdb, *agf, *batch, *table, *plot, *kit;
     int format, batch_format, units, color;
+    int terminal;                 /* enum terminal_graphics */
     int glass_numbers;            /* enum glass_numbers */
     int stop_size;                /* enum stop_size */
     int theme;                    /* enum palette_theme */
