@@ -10,7 +10,6 @@
 
 #include <math.h>
 #include <stddef.h>
-#include <stdlib.h>
 
 /* Given: panels, svg and the shared scales; the rest is set by panels_page_begin. */
 struct panels_page {
@@ -320,24 +319,6 @@ static void set_axes(const struct panels *panels, struct panels_scale *x, struct
     panels_include(y, y->ticks.value[0], y->ticks.value[y->ticks.count - 1]);
 }
 
-static int ascending(const void *first, const void *second)
-{
-    const double a = *(const double *)first, b = *(const double *)second;
-    return (a > b) - (a < b);
-}
-
-double panels_bulk(double *values, size_t count)
-{
-    const size_t share = 50; /* one in so many may lie outside */
-    const double room = 1.3;
-    if (count == 0) {
-        return 0;
-    }
-    qsort(values, count, sizeof *values, ascending);
-    const double most = values[count - 1], inner = values[count - 1 - count / share];
-    return most > 2 * inner && inner > 0 ? fmin(room * inner, most) : most;
-}
-
 /* How far out a panel of spots is looked at. */
 static double spots_reach(const struct panel *panel, struct arena *arena)
 {
@@ -353,7 +334,7 @@ static double spots_reach(const struct panel *panel, struct arena *arena)
             count += isfinite(series->x[i] + series->y[i]) ? 1 : 0;
         }
     }
-    return panels_bulk(far, count);
+    return ticks_reach(far, count);
 }
 
 static const struct panels_scale nothing = {.low = INFINITY, .high = -INFINITY};

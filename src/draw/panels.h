@@ -67,11 +67,4 @@ struct panels {
  */
 bool panels_draw(const struct panels *panels, struct svg *svg, struct error *error);
 
-/*
- * How far an axis has to reach for the bulk of values that are not negative, which are put in
- * order: to the largest, or where one in fifty at most is more than twice as large as all others,
- * to 1.3 times the largest of those.
- */
-double panels_bulk(double *values, size_t count);
-
 #endif

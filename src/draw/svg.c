@@ -208,8 +208,7 @@ void svg_image(struct svg *svg, double x, double y, double width, double height,
 {
     svg_write(svg,
               "<image xmlns:xlink=\"http://www.w3.org/1999/xlink\" x=\"#\" y=\"#\" width=\"#\" "
-              "height=\"#\" preserveAspectRatio=\"none\" image-rendering=\"optimizeSpeed\" "
-              "style=\"image-rendering:pixelated\" xlink:href=\"data:image/png;base64,",
+              "height=\"#\" preserveAspectRatio=\"none\" xlink:href=\"data:image/png;base64,",
               x, y, width, height);
     for (size_t i = 0; i < png.length; i += 3) {
         char four[4];

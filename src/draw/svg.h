@@ -79,7 +79,7 @@ void svg_polygon(struct svg *svg, const double *x, const double *y, size_t count
 /* A path in SVG's own words ("M0 0L4 8z"), its origin moved to x, y. */
 void svg_path(struct svg *svg, double x, double y, const char *words);
 
-/* A picture, the bytes of a PNG file, over a rectangle; its pixels stay squares. */
+/* A picture, the bytes of a PNG file, over a rectangle. */
 void svg_image(struct svg *svg, double x, double y, double width, double height, struct text png);
 
 /*

@@ -4,6 +4,7 @@
 
 #include <math.h>
 #include <stdbool.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/arena.h"
@@ -232,4 +233,22 @@ double ticks_width(struct arena *arena, const struct ticks *ticks, double size)
 double ticks_round_below(double most)
 {
     return one_two_five(one_two_five_below(most));
+}
+
+static int ticks_ascending(const void *first, const void *second)
+{
+    const double a = *(const double *)first, b = *(const double *)second;
+    return (a > b) - (a < b);
+}
+
+double ticks_reach(double *values, size_t count)
+{
+    const size_t share = 50; /* one in so many may lie outside */
+    const double room = 1.3;
+    if (count == 0) {
+        return 0;
+    }
+    qsort(values, count, sizeof *values, ticks_ascending);
+    const double most = values[count - 1], inner = values[count - 1 - count / share];
+    return most > 2 * inner && inner > 0 ? fmin(room * inner, most) : most;
 }

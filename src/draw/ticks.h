@@ -62,4 +62,11 @@ double ticks_width(struct arena *arena, const struct ticks *ticks, double size);
 /* 1, 2 or 5 times a power of ten: the largest that is not above `most`, which is above 0. */
 double ticks_round_below(double most);
 
+/*
+ * How far an axis has to reach for the bulk of values that are not negative, which are put in
+ * order: to the largest, or where one in fifty at most is more than twice as large as all others,
+ * to 1.3 times the largest of those.
+ */
+double ticks_reach(double *values, size_t count);
+
 #endif

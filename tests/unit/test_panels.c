@@ -9,6 +9,7 @@
 #include "check.h"
 #include "draw/panels.h"
 #include "draw/svg.h"
+#include "draw/ticks.h"
 
 /* How often `word` occurs. */
 static int occurrences(const char *text, const char *word)
@@ -205,11 +206,11 @@ static void test_bulk(void)
             values[i] = i < far ? 9 : (double)(i + 1) / 100;
         }
         const double expected = reaches[far];
-        CHECK_NEAR(panels_bulk(values, 100), expected, 1e-12, "reach of the bulk");
+        CHECK_NEAR(ticks_reach(values, 100), expected, 1e-12, "reach of the bulk");
     }
     double few[] = {9, 0.5, 1};
-    CHECK_NEAR(panels_bulk(few, 3), 9, 1e-12, "reach of a few");
-    CHECK_NEAR(panels_bulk(few, 0), 0, 1e-12, "reach of none");
+    CHECK_NEAR(ticks_reach(few, 3), 9, 1e-12, "reach of a few");
+    CHECK_NEAR(ticks_reach(few, 0), 0, 1e-12, "reach of none");
 }
 
 /* An axis of its own: numbers of 1 and of 1000 stand under their own panels. */
