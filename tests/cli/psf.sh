@@ -31,7 +31,9 @@ lenscalc psf double-gauss -N 8 --field 0 --size 16 --log --map map.pfm
 lenscalc psf double-gauss --size 4
 lenscalc psf double-gauss -N 8 --size 16 --columns field --map map.pfm
 lenscalc psf double-gauss -N 8 --field 0 --size 16 --columns field --map map.pfm && head -c 9 map.pfm && wc -c < map.pfm
-lenscalc psf double-gauss -N 8 --size 16 --log --plot maps.svg > rows && grep -o '>[^<>]*</text>' maps.svg | sed 's/^>//; s/<.*//' | grep -v '^[−0-9.]*$'
+lenscalc psf double-gauss -N 8 --log --plot maps.svg > rows && grep -o '>[^<>]*</text>' maps.svg | sed 's/^>//; s/<.*//' | grep -v '^[−0-9.]*$'
 printf "$telescope" > telescope.lens && lenscalc psf double-gauss telescope.lens --field 0 --size 16 --columns field,width_x --csv --plot both.svg; test -e both.svg || echo none
 # of a sweep it is said once
 lenscalc psf double-gauss -N 4,8 --field 0,7deg --pitch-angle 1mrad --columns peak
+lenscalc psf double-gauss -N 8 --field 0 --linear --map image.pfm
+lenscalc psf double-gauss -N 8 --field 0 --linear --log --plot both.svg

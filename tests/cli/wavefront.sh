@@ -22,5 +22,9 @@ lenscalc wavefront double-gauss -N 5.6 --columns field --map map.png
 lenscalc wavefront double-gauss -N 5.6 --field 0 --map map.pfm --size 16 > rows && head -c 9 map.pfm && wc -c < map.pfm
 lenscalc wavefront double-gauss -N 5.6 --field 0 --map map.png --size 16 > rows && head -c 4 map.png | tail -c 3
 printf 'lens ideal\nobject inf\naperture stop\nstop - 0 air 10\nthick 50 0 air 12\n' | lenscalc wavefront -
-lenscalc wavefront questar-35 hubble-rc --field 0 --size 8 --columns field --csv --plot both.svg && grep -c '<image' both.svg && grep -o '>[^<>]*waves</text>' both.svg
+lenscalc wavefront questar-35 hubble-rc --field 0 --size 8 --columns field --csv --plot both.svg && grep -c '<image' both.svg && grep -o '>[^<>]*peak to valley[^<>]*</text>' both.svg
 printf "$telescope" | lenscalc wavefront - --size 8 --columns field --csv --plot telescope.svg && grep -o '>against[^<]*' telescope.svg
+# interferograms: pictures alone, without a scale of colours
+lenscalc wavefront double-gauss -N 5.6 --field 14 --fringes --size 32 --plot fringes.svg > rows && grep -o '>[^<>]*</text>' fringes.svg | sed 's/^>//; s/<.*//' | grep -v '^[−0-9.]*$'
+lenscalc wavefront double-gauss -N 5.6 --field 14 --fringes --size 32 --map fringes.pfm
+lenscalc wavefront double-gauss -N 5.6 --field 14 --fringes

@@ -76,6 +76,7 @@ OTHERS = {
                    "double-gauss --field 10 --grid out.svg"),
     "illumination": ("double-gauss --height 5",),
     "wavefront": ("double-gauss -N 8 --field 5 -w d", "double-gauss -N 8 --field 5 -w d --map out.pfm --size 16",
+                  "double-gauss -N 8 --field 5 -w d --map out.png --size 16",
                   "double-gauss -N 8 --field 5 -w d --zernike fringe --terms 9"),
     "mtf": ("double-gauss -N 8 --field 5 -w d --frequency 40",
             "double-gauss -N 8 --field 5 -w d --frequency 40 --method geometric"),

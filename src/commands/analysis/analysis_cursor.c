@@ -429,11 +429,26 @@ const char *analysis_figure_words(const struct analysis_case *one, unsigned part
     return words;
 }
 
-const char *analysis_field_words(const struct analysis_case *one, size_t field, struct arena *arena)
+const char *analysis_place_words(const struct field_point *at, struct arena *arena)
+{
+    const struct unit *degree = unit_find(&dimension_angle, text_of("deg"));
+    const bool angle = at->kind == FIELD_ANGLE;
+    const double x = angle ? unit_from_own(degree, at->value[0]) : at->value[0];
+    const double y = angle ? unit_from_own(degree, at->value[1]) : at->value[1];
+    const char *unit = angle ? "\xc2\xb0" : " mm";
+    if (at->kind == FIELD_NONE) {
+        return "axis";
+    }
+    return x != 0 ? arena_printf(arena, "x %.4g%s, y %.4g%s", x, unit, y + 0.0, unit)
+                  : arena_printf(arena, "%.4g%s", y + 0.0, unit);
+}
+
+const char *analysis_field_words(const struct analysis_case *one, size_t field, bool several,
+                                 struct arena *arena)
 {
     const struct field_point *at = &one->setup->fields[field].point;
-    const char *words = analysis_case_words(one, arena);
-    const char *place = at->kind == FIELD_NONE ? "axis" : lens_field_words(at, arena);
+    const char *words = several ? analysis_case_words(one, arena) : one->setup->position;
+    const char *place = analysis_place_words(at, arena);
     return words != NULL ? arena_printf(arena, "%s, %s", place, words) : place;
 }
 

@@ -135,8 +135,11 @@ enum figure_part {
 const char *analysis_figure_words(const struct analysis_case *one, unsigned parts,
                                   struct arena *arena);
 
-/* What a field is called: "14 deg, f/4, defocus 0.1 mm". */
-const char *analysis_field_words(const struct analysis_case *one, size_t field,
+/* What a field is called in a figure: "14°", "12 mm", "x 3°, y 4°", "axis". */
+const char *analysis_place_words(const struct field_point *at, struct arena *arena);
+
+/* The same with its position, and of several questions with what was asked: "14°, f/4". */
+const char *analysis_field_words(const struct analysis_case *one, size_t field, bool several,
                                  struct arena *arena);
 
 /* The wavelengths of a setup with their weights: "587.6 nm x 1, 486.1 nm x 0.5"; null: one. */

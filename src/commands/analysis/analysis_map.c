@@ -63,7 +63,7 @@ bool map_page_make(struct map_page *page, const char *what, struct output *sink,
     }
     rasters->title = one ? arena_printf(arena, "%s of %s", what, page->lenses[0]) : what;
     for (size_t i = 0; i < rasters->count && !one; i++) {
-        page->maps[i].note = arena_printf(arena, "%s; %s", page->lenses[i], page->maps[i].note);
+        page->maps[i].title = ARENA_JOIN(arena, page->lenses[i], ", ", page->maps[i].title);
         rasters->subtitle = "";
     }
     if (job->type != &png_type && job->type != &pfm_type) {

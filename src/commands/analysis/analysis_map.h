@@ -30,7 +30,7 @@ bool map_page_add(struct map_page *page, const struct analysis_case *one,
  * All maps are added: write them as a drawing, or the one there is as a file of map_types.
  *
  * Given     what  "Wave fronts": the title is that "of LENS"; of several lenses it is that alone,
- *                 and they stand below the maps
+ *                 and they stand above the maps
  * Errors    ERROR_DOMAIN: there is nothing to draw; ERROR_USAGE: several for one file; as
  *           rasters_draw, raster_png and pfm_write
  */

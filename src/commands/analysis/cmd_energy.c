@@ -272,7 +272,7 @@ static bool energy_drawing_add(struct energy_drawing *drawing, const struct anal
         series->dash = dashes[k];
     }
     struct plot_series *first = &drawing->series[drawing->count - kinds];
-    first->label = analysis_field_words(at->one, at->field, arena);
+    first->label = analysis_field_words(at->one, at->field, true, arena);
     if (kinds == KINDS) {
         first[2].label = "limit";
         first[2].style = CURVES_MOST - 1;

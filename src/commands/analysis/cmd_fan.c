@@ -3,6 +3,7 @@
 #include "analysis/waves/fan.h"
 #include "commands/analysis/analysis_cursor.h"
 #include "draw/panels.h"
+#include "draw/ticks.h"
 
 #include <string.h>
 
@@ -227,7 +228,7 @@ static const char *figure_label_of(const struct fan_figure_painter *painter,
 {
     const struct analysis_question *question = &painter->input.question;
     struct arena *arena = painter->arena;
-    const char *words = lens_field_words(field, arena);
+    const char *words = analysis_place_words(field, arena);
     if (lens_positions_several(question->lens.lens, question->position)) {
         words = arena_printf(arena, "%s, %s", position, words);
     }
@@ -378,7 +379,7 @@ static struct panel *make_panels(const struct fan_figure_painter *painter, const
                 sizes += isfinite(size[sizes]) ? 1 : 0;
             }
         }
-        *most = fmax(*most, panels_bulk(size, sizes));
+        *most = fmax(*most, ticks_reach(size, sizes));
         panels[i] = (struct panel){
             .series = series, .count = count, .note = sizes > 0 ? NULL : "no ray arrives"};
     }

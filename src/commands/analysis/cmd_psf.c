@@ -11,7 +11,7 @@ struct psf_input {
     int method; /* enum psf_method */
     long size;
     double pitch, pitch_angle; /* mm, rad; NaN = not given */
-    bool log;
+    bool log, linear;
 };
 
 static const struct analysis_policy policy = {.wavelengths = WAVELENGTHS_ALL, .fields = FIELDS_ALL};
@@ -44,7 +44,9 @@ static const struct option options[] = {
      .flags = OPTION_ABOVE_LOWEST, .value = "ANGLE", .excludes = "pitch",
      .help = "pixel size of an image at infinity, as an angle"},
     {OPTION(struct psf_input, log), .name = "log", .wants = "plot|map",
-     .help = "logarithmic colour scale over five decades"},
+     .help = "logarithmic colour scale over five decades (default)"},
+    {OPTION(struct psf_input, linear), .name = "linear", .wants = "plot|map", .excludes = "log",
+     .help = "linear colour scale"},
     ANALYSIS_AIM_OPTION(NULL, "pupil that limits the beam"),
     ANALYSIS_CLIP_OPTIONS,
 };
@@ -207,19 +209,154 @@ static bool psf_run(const void *data, struct run *run, struct error *error)
 
 /* -------- maps -------- */
 
+/* Of a drawing: light that it shows at least, pixels along a side at most, rings of Airy's disc. */
+static const double DRAWN_SHARE = 0.9, RINGS = 5;
+enum { DRAWN_MOST = 512 };
+
+/* What a drawing shows of an image: a square about its light, in pixels. */
+struct psf_window {
+    size_t left, bottom, size;
+};
+
+/* How much of the light of an image, of all it has, lies in a window. */
+static double psf_window_light(const struct psf *psf, const struct psf_window *window)
+{
+    double inside = 0, all = 0;
+    for (size_t y = 0; y < psf->size; y++) {
+        for (size_t x = 0; x < psf->size; x++) {
+            const double value = psf->values[y * psf->size + x];
+            const bool in = x - window->left < window->size && y - window->bottom < window->size;
+            inside += in ? value : 0;
+            all += value;
+        }
+    }
+    return inside / all;
+}
+
+/* About the centroid, as far as the image goes. */
+static struct psf_window psf_window_of(const struct psf *psf, size_t half)
+{
+    struct psf_window window = {.size = 2 * half < psf->size ? 2 * half : psf->size};
+    size_t *const from[2] = {&window.left, &window.bottom};
+    for (size_t k = 0; k < 2; k++) {
+        const double middle = psf->centroid[k] / psf->pitch + (double)(psf->size / 2);
+        const double most = (double)(psf->size - window.size);
+        *from[k] = (size_t)fmin(fmax(round(middle - (double)(window.size / 2)), 0), most);
+    }
+    return window;
+}
+
+/* With nine tenths of the light and half as much again, and with four rings at least. */
+static struct psf_window psf_window_find(const struct psf *psf)
+{
+    const double share = DRAWN_SHARE / (isnan(psf->inside) ? 1 : fmax(psf->inside, DRAWN_SHARE));
+    const size_t last = psf->size / 2, rings = (size_t)ceil(RINGS * 2 * psf->finest / psf->pitch);
+    size_t low = 1, high = last; /* the least that holds that share, by halves */
+    while (low < high) {
+        const size_t half = (low + high) / 2;
+        const struct psf_window window = psf_window_of(psf, half);
+        if (psf_window_light(psf, &window) < share) {
+            low = half + 1;
+        } else {
+            high = half;
+        }
+    }
+    const size_t half = 3 * low / 2 > rings ? 3 * low / 2 : rings;
+    return psf_window_of(psf, half < last ? half : last);
+}
+
+/*
+ * The image of a drawing: with pixels of its own choice it is made larger until it holds nine
+ * tenths of the light, or where that is a small part of it again with finer pixels.
+ */
+static bool psf_drawn_find(const struct analysis_cursor *at, const struct analysis_case *one,
+                           size_t field, void *found, struct error *error)
+{
+    const struct psf_input *input = at->input;
+    struct psf_input own = *input;
+    struct analysis_cursor asks = *at;
+    struct psf *psf = found;
+    asks.input = &own;
+    if (!psf_field_find(at, one, field, psf, error)) {
+        return false;
+    }
+    if (!isnan(input->pitch) || !isnan(input->pitch_angle)) {
+        return true;
+    }
+    own.method = psf->method == PSF_RAYS ? PSF_RAYS : input->method;
+    struct error ignored;
+    struct psf other;
+    double *const pitch = psf->is_angular ? &own.pitch_angle : &own.pitch;
+    while (psf->inside < DRAWN_SHARE && own.size < DRAWN_MOST) {
+        own.size *= 2;
+        *pitch = psf->is_angular ? asin(psf->pitch) : psf->pitch;
+        if (!psf_field_find(&asks, one, field, &other, &ignored)) {
+            return true;
+        }
+        *psf = other;
+    }
+    const struct psf_window window = psf_window_find(psf);
+    if (2 * window.size < psf->size) {
+        const double centre = fmax(fabs(psf->centroid[0]), fabs(psf->centroid[1]));
+        const double half = centre + psf->pitch * (double)window.size / 2;
+        *pitch = 2 * half / (double)own.size;
+        *pitch = psf->is_angular ? asin(*pitch) : *pitch;
+        *psf = psf_field_find(&asks, one, field, &other, &ignored) ? other : *psf;
+    }
+    return true;
+}
+
+/* By rays there is no perfect peak to compare with. */
+static const char *psf_map_note(const struct psf *psf, double inside, struct arena *arena)
+{
+    const char *strehl =
+        psf->method == PSF_RAYS ? "by rays" : arena_printf(arena, "Strehl ratio %.3g", psf->peak);
+    return isnan(inside) ? strehl
+                         : arena_printf(arena, "%s, %.3g %% of the light", strehl, 100 * inside);
+}
+
+/* The map of an image: all of its pixels, or what a drawing shows. */
+static struct raster_map psf_map(const struct psf *psf, bool whole, struct arena *arena)
+{
+    struct psf_window window = {.size = psf->size};
+    if (!whole) {
+        window = psf_window_find(psf);
+    }
+    double *values = ARENA_ARRAY(arena, window.size * window.size, double);
+    for (size_t y = 0; y < window.size; y++) {
+        for (size_t x = 0; x < window.size; x++) {
+            values[y * window.size + x] =
+                psf->values[(window.bottom + y) * psf->size + window.left + x];
+        }
+    }
+    const double pitch = 1000 * psf->pitch, half = (double)window.size / 2;
+    const double middle = (double)(psf->size / 2);
+    const double inside = psf->inside * psf_window_light(psf, &window);
+    return (struct raster_map){
+        .note = psf_map_note(psf, inside, arena),
+        .size = window.size,
+        .values = values,
+        .half = pitch * half,
+        .centre = {whole ? 0 : pitch * ((double)window.left + half - middle),
+                   whole ? 0 : pitch * ((double)window.bottom + half - middle)}};
+}
+
 /* The maps of all inputs of a job. */
 static bool psf_maps(const struct artifact_job *job, struct output *sink, struct error *error)
 {
     const struct psf_input *first = job->inputs[0];
+    const bool drawn = strcmp(job->type->ending, ".svg") == 0;
+    const bool whole = !drawn || asking_given(job->asking, "size");
     struct map_page page = {.job = job,
                             .rasters = {.scale_label = "share of the peak of the map",
-                                        .colours = first->log ? RASTER_LOG : RASTER_LIGHT,
+                                        .colours = first->linear ? RASTER_LIGHT : RASTER_LOG,
                                         .decades = 5,
                                         .own_scale = true,
                                         .columns = 3}};
     for (size_t i = 0; i < job->count; i++) {
-        struct analysis_cursor at = analysis_begin_finding(job->inputs[i], &policy, job->run,
-                                                           psf_field_find, sizeof(struct psf));
+        struct analysis_cursor at =
+            analysis_begin_finding(job->inputs[i], &policy, job->run,
+                                   whole ? psf_field_find : psf_drawn_find, sizeof(struct psf));
         at.keeps_lost = true;
         while (psf_next(&at, error)) {
             if (at.lost != NULL) {
@@ -228,22 +365,17 @@ static bool psf_maps(const struct artifact_job *job, struct output *sink, struct
             struct arena *arena = page.job->run->arena;
             const struct analysis_case *one = at.one;
             const struct psf *psf = at.found;
-            const char *x_label = psf->is_angular ? "x (mrad)" : "x (\xc2\xb5m)";
-            if (page.rasters.count > 0 && strcmp(page.rasters.x_label, x_label) != 0) {
+            const char *unit = psf->is_angular ? "mrad" : "\xc2\xb5m";
+            if (page.rasters.count > 0 && strcmp(page.rasters.unit, unit) != 0) {
                 return fail(
                     error, ERROR_USAGE,
                     "a page has no room for images in \xc2\xb5m and others infinitely far away");
             }
-            page.rasters.x_label = x_label;
-            page.rasters.y_label = psf->is_angular ? "y (mrad)" : "y (\xc2\xb5m)";
-            const struct raster_map map = {
-                .title = analysis_field_words(one, at.field, arena),
-                .note = isnan(psf->inside) ? arena_printf(arena, "peak %.3g", psf->peak)
-                                           : arena_printf(arena, "peak %.3g, %.3g %% of the light",
-                                                          psf->peak, 100 * psf->inside),
-                .size = psf->size,
-                .values = psf->values,
-                .half = 1000 * psf->pitch * (double)psf->size / 2};
+            page.rasters.unit = unit;
+            page.rasters.x_label = arena_printf(arena, "x (%s)", unit);
+            page.rasters.y_label = arena_printf(arena, "y (%s)", unit);
+            struct raster_map map = psf_map(psf, whole, arena);
+            map.title = analysis_field_words(one, at.field, job->count > 1, arena);
             const char *subtitle = analysis_figure_words(one, FIGURE_ALL, arena);
             if (!map_page_add(&page, one, &map, subtitle, error)) {
                 return false;
@@ -253,15 +385,19 @@ static bool psf_maps(const struct artifact_job *job, struct output *sink, struct
             return false;
         }
     }
-    return map_page_make(&page, "Images of points", sink, error);
+    return map_page_make(&page, "Point spread functions", sink, error);
 }
 
 static bool psf_check_map(const struct artifact_job *job, struct error *error)
 {
     const struct psf_input *input = job->inputs[0];
     const bool numbers = job->type != NULL && strcmp(job->type->ending, ".pfm") == 0;
-    return !(numbers && input->log) || asking_given(job->asking, "plot") ||
-           fail(error, ERROR_USAGE, "{--log} is of colours, and .pfm has numbers");
+    if (!numbers || asking_given(job->asking, "plot") || !(input->log || input->linear)) {
+        return true;
+    }
+    return fail(error, ERROR_USAGE,
+                input->log ? "{--log} is of colours, and .pfm has numbers"
+                           : "{--linear} is of colours, and .pfm has numbers");
 }
 
 static const struct artifact artifacts[] = {
@@ -285,7 +421,7 @@ static const struct explanation explanations[] = {
 
 static const struct example examples[] = {
     {"psf double-gauss -N 5.6", "the images of all fields, all wavelengths together"},
-    {"psf questar-35 --log --plot images.svg", "those of a telescope, drawn"},
+    {"psf questar-35 --plot images.svg", "those of a telescope, drawn"},
     {"psf double-gauss -N 8 --field 0 -w d --defocus -0.2..0.2#5 --plot focus.svg",
      "through focus, drawn"},
     {"psf double-gauss -N 8 --field 14deg --method huygens --size 64 --map image.pfm",

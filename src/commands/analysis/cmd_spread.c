@@ -159,7 +159,7 @@ static bool spread_drawing_add(struct spread_drawing *drawing, const struct anal
     }
     const size_t style = drawing->count / MTF_DIRECTIONS;
     for (size_t k = 0; k < MTF_DIRECTIONS; k++) {
-        const char *name = analysis_field_words(at->one, at->field, arena);
+        const char *name = analysis_field_words(at->one, at->field, true, arena);
         drawing->series[drawing->count++] =
             (struct plot_series){.label = arena_printf(arena, "%s %s", directions[k], name),
                                  .x = x,

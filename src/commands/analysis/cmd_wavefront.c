@@ -2,12 +2,19 @@
 /* SPDX-License-Identifier: MIT */
 #include "analysis/waves/wavefront.h"
 #include "commands/analysis/analysis_map.h"
+#include "draw/ticks.h"
+
+#include <math.h>
+#include <string.h>
 
 struct wavefront_input {
     struct analysis_question question;
     int reference, zernike; /* enum wave_about; enum zernike_kind, NO_WORD: none */
-    long terms, size;
+    long terms, size;       /* size: NO_INTEGER = MAP_SIZE, of a drawing DRAWN_SIZE */
+    bool fringes;
 };
+
+enum { MAP_SIZE = 128, DRAWN_SIZE = 400 };
 
 static const struct analysis_policy policy = {
     .wavelengths = WAVELENGTHS_PRIMARY, .fields = FIELDS_ALL, .one_wavelength = true};
@@ -40,7 +47,10 @@ static const struct option options[] = {
      .fallback = "36", .value = "COUNT", .wants = "zernike!=none",
      .help = "number of Zernike terms"},
     {OPTION(struct wavefront_input, size), .name = "size", .lowest = 8, .highest = 2048,
-     .fallback = "128", .value = "COUNT", .wants = "plot|map", .help = "points across a map"},
+     .value = "COUNT", .wants = "plot|map",
+     .help = "points across a map; default 128, of --plot 400"},
+    {OPTION(struct wavefront_input, fringes), .name = "fringes", .wants = "plot|map",
+     .help = "an interferogram: fringes against a perfect reference sphere"},
     ANALYSIS_PUPIL_OPTIONS,
 };
 
@@ -239,19 +249,34 @@ static bool wavefront_run(const void *data, struct run *run, struct error *error
 
 /* -------- maps -------- */
 
-/* The values of a map. */
+static const double FAR_WORSE = 4; /* peak to valley of maps on one page that share no scale */
+
+/* The values of a map, and the figures that its rows have. */
+struct wavefront_map_found {
+    const double *values;
+    struct wavefront figures;
+    size_t size;
+};
+
 static bool wavefront_map_find(const struct analysis_cursor *at, const struct analysis_case *one,
-                               size_t field, void *found, struct error *error)
+                               size_t field, void *room, struct error *error)
 {
-    const size_t size = (size_t)((const struct wavefront_input *)at->input)->size;
+    const struct wavefront_input *input = at->input;
     struct arena *arena = one->setup->arena;
+    struct wavefront_map_found *found = room;
     struct wavefront_source source;
-    if (!wavefront_field_open(at, one, field, &source, error)) {
+    found->size = (size_t)input->size;
+    if (!wavefront_field_open(at, one, field, &source, error) ||
+        !wavefront_find(&source, true, arena, &found->figures, error)) {
         return false;
     }
+    const double *values = wavefront_map(&source, found->size, arena);
+    if (input->fringes) {
+        found->values = values;
+        return true;
+    }
     /* Without the piston: about the mean of the map. */
-    const double *values = wavefront_map(&source, size, arena);
-    const size_t count = size * size;
+    const size_t count = found->size * found->size;
     double sum = 0, some = 0, *levelled = ARENA_ARRAY(arena, count, double);
     for (size_t i = 0; i < count; i++) {
         sum += isnan(values[i]) ? 0 : values[i];
@@ -260,8 +285,36 @@ static bool wavefront_map_find(const struct analysis_cursor *at, const struct an
     for (size_t i = 0; i < count; i++) {
         levelled[i] = values[i] - sum / some;
     }
-    *(const double **)found = levelled;
+    found->values = levelled;
     return true;
+}
+
+static bool wavefront_map_add(struct map_page *page, const struct analysis_cursor *at,
+                              struct error *error)
+{
+    enum { LINES = 5 };
+    const struct wavefront_input *input = at->input;
+    const struct wavefront_map_found *found = at->found;
+    struct arena *arena = page->job->run->arena;
+    const double pv = found->figures.pv;
+    struct raster_map map = {
+        .title = analysis_field_words(at->one, at->field, page->job->count > 1, arena),
+        .note = "no ray arrives",
+        .size = found->size,
+        .values = found->values,
+        .half = 1};
+    if (isfinite(pv)) {
+        map.note = ARENA_JOIN(arena, "peak to valley ", analysis_number(pv, arena), " waves");
+        map.step = pv > 0 && !input->fringes ? ticks_round_below(pv / LINES) : 0;
+    }
+    if (map.step > 0) {
+        map.note =
+            ARENA_JOIN(arena, map.note, ", contours every ", analysis_number(map.step, arena));
+    }
+    const char *reference = wave_reference_words(at->one, (enum wave_about)input->reference, arena);
+    const char *words = analysis_figure_words(at->one, FIGURE_ALL, arena);
+    return map_page_add(page, at->one, &map, ARENA_JOIN(arena, "against ", reference, "; ", words),
+                        error);
 }
 
 /* The maps of all inputs of a job. */
@@ -274,39 +327,26 @@ static bool wavefront_maps(const struct artifact_job *job, struct output *sink, 
         .rasters = {.x_label = entrance ? "x in the entrance pupil" : "x in the stop",
                     .y_label = entrance ? "y in the entrance pupil" : "y in the stop",
                     .scale_label = "W - mean (waves)",
-                    .colours = RASTER_SIGNED,
+                    .colours = first->fringes ? RASTER_FRINGES : RASTER_SIGNED,
                     .columns = 3}};
+    double least = INFINITY, most = 0;
     for (size_t i = 0; i < job->count; i++) {
+        struct wavefront_input input = *(const struct wavefront_input *)job->inputs[i];
+        const bool drawn = strcmp(job->type->ending, ".svg") == 0;
+        if (!(input.size > 0)) {
+            input.size = drawn ? DRAWN_SIZE : MAP_SIZE;
+        }
         struct analysis_cursor at = analysis_begin_finding(
-            job->inputs[i], &policy, job->run, wavefront_map_find, sizeof(const double *));
+            &input, &policy, job->run, wavefront_map_find, sizeof(struct wavefront_map_found));
         at.keeps_lost = true;
         while (analysis_next(&at, error)) {
             if (at.lost != NULL) {
                 continue;
             }
-            const struct wavefront_input *input = at.input;
-            struct arena *arena = page.job->run->arena;
-            const size_t size = (size_t)input->size;
-            const double *values = *(const double *const *)at.found;
-            double low = INFINITY, high = -INFINITY;
-            for (size_t k = 0; k < size * size; k++) {
-                low = fmin(low, values[k]);
-                high = fmax(high, values[k]);
-            }
-            const char *note = high >= low
-                                   ? ARENA_JOIN(arena, "peak to valley ",
-                                                analysis_number(high - low, arena), " waves")
-                                   : "no ray arrives";
-            const struct raster_map map = {.title = analysis_field_words(at.one, at.field, arena),
-                                           .note = note,
-                                           .size = size,
-                                           .values = values,
-                                           .half = 1};
-            const char *reference =
-                wave_reference_words(at.one, (enum wave_about)input->reference, arena);
-            const char *words = analysis_figure_words(at.one, FIGURE_ALL, arena);
-            if (!map_page_add(&page, at.one, &map,
-                              ARENA_JOIN(arena, "against ", reference, "; ", words), error)) {
+            const struct wavefront_map_found *found = at.found;
+            least = fmin(least, found->figures.pv);
+            most = fmax(most, found->figures.pv);
+            if (!wavefront_map_add(&page, &at, error)) {
                 return false;
             }
         }
@@ -314,7 +354,20 @@ static bool wavefront_maps(const struct artifact_job *job, struct output *sink, 
             return false;
         }
     }
-    return map_page_make(&page, "Wave fronts", sink, error);
+    /* beside one that is far worse the others would have no colour */
+    if (most > FAR_WORSE * least) {
+        page.rasters.own_scale = true;
+        page.rasters.scale_label = "W - mean, share of the largest of the map";
+    }
+    return map_page_make(&page, first->fringes ? "Interferograms" : "Wave fronts", sink, error);
+}
+
+static bool wavefront_check_map(const struct artifact_job *job, struct error *error)
+{
+    const struct wavefront_input *input = job->inputs[0];
+    const bool numbers = job->type != NULL && strcmp(job->type->ending, ".pfm") == 0;
+    return !(numbers && input->fringes) || asking_given(job->asking, "plot") ||
+           fail(error, ERROR_USAGE, "{--fringes} is a picture, and .pfm has numbers");
 }
 
 static bool wavefront_makes_many(const void *data)
@@ -328,7 +381,8 @@ static const struct artifact artifacts[] = {
      .scope = ARTIFACT_OF_SWEEP, .needs_no_rows = true, .make = wavefront_maps},
     {ARTIFACT_OPTION("map", map_types,
                      "write the map of one field: colours, or numbers in wavelengths"),
-     .scope = ARTIFACT_OF_ANSWER, .is_binary = true, .make = wavefront_maps},
+     .scope = ARTIFACT_OF_ANSWER, .is_binary = true, .check = wavefront_check_map,
+     .make = wavefront_maps},
 };
 
 static const struct explanation explanations[] = {
@@ -350,6 +404,7 @@ static const struct example examples[] = {
     {"wavefront double-gauss -N 5.6", "how good the images of all fields are"},
     {"wavefront double-gauss -N 5.6 --zernike fringe --terms 9 --field 14deg",
      "which aberrations they consist of"},
+    {"wavefront double-gauss -N 4 --fringes --plot fringes.svg", "interferograms of all fields"},
     {"wavefront questar-35 --plot wavefronts.svg", "a telescope with its obstruction, drawn"},
     {"wavefront double-gauss --field 0deg --map wavefront.pfm --size 256",
      "the numbers for another program"},

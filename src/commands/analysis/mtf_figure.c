@@ -242,9 +242,10 @@ static bool figure_add(struct figure_painter *painter, const struct analysis_cur
     struct analysis_case named = *one;
     named.question = &question;
     question.defocus = painter->axis == BY_FOCUS ? (double)NAN : question.defocus;
-    struct figure_entry place = {.label = analysis_field_words(&named, at->field, arena),
-                                 .lens = one->setup->lens->title,
-                                 .is_between = painter->is_between};
+    struct figure_entry place = {
+        .label = analysis_field_words(&named, at->field, painter->job->count > 1, arena),
+        .lens = one->setup->lens->title,
+        .is_between = painter->is_between};
     const char *method = painter->input->method == MTF_BY_RAYS ? "geometric" : "diffraction";
     const char *bars = painter->input->square ? ", square bars; " : "; ";
     const unsigned no = painter->axis == BY_FOCUS ? FIGURE_DEFOCUS : 0;

@@ -86,7 +86,7 @@ static struct drawn spot_diagram_place(const struct analysis_case *one, size_t f
     struct drawn drawn = {.one = one,
                           .field_index = field,
                           .title = one->setup->lens->title,
-                          .field = "axis",
+                          .field = analysis_place_words(at, arena),
                           .field_value = at->value[beside ? 0 : 1],
                           .is_angle = angle || at->kind == FIELD_NONE,
                           .defocus = one->question->defocus,
@@ -96,10 +96,6 @@ static struct drawn spot_diagram_place(const struct analysis_case *one, size_t f
     if (angle) {
         drawn.field_value =
             unit_from_own(unit_find(&dimension_angle, text_of("deg")), drawn.field_value);
-    }
-    if (at->kind != FIELD_NONE) {
-        drawn.field =
-            arena_printf(arena, "%.4g%s", drawn.field_value + 0.0, angle ? "\xc2\xb0" : " mm");
     }
     return drawn;
 }
