@@ -25,7 +25,8 @@ static void check_embedded(struct lensdb *db)
     CHECK(sensor.size.width == 23.7 && sensor.size.height == 15.6);
     CHECK_NEAR(sensor.size.pitch, 0.0116, 1e-18, "pitch of the D1, mm");
     CHECK(text_equal(sensor.pitch_from, "published"));
-    CHECK(find(db, "D100", &sensor, &error) && text_equal(sensor.pitch_from, "estimate"));
+    CHECK(find(db, "D1H", &sensor, &error) && text_equal(sensor.pitch_from, "estimate"));
+    CHECK(find(db, "D100", &sensor, &error) && text_equal(sensor.pitch_from, "counts"));
     CHECK(!find(db, "35m", &sensor, &error));
     CHECK(error.code == ERROR_USAGE && strstr(error.hint, "35mm") != NULL);
 }
