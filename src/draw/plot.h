@@ -58,6 +58,7 @@ struct plot {
     size_t series_count;
     const struct plot_band *bands;
     size_t band_count;
+    bool is_share;   /* y is a part of a whole: its axis has 0 and 1 */
     bool is_limited; /* y beyond these two is far: the axis does not reach there, an arrow does */
     double y_least, y_most;
     enum ticks_kind x_kind, y_kind; /* of logarithmic axes */

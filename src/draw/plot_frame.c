@@ -71,7 +71,12 @@ bool plot_find_range(const struct plot *plot, struct plot_axis *x, struct plot_a
             }
         }
     }
-    return y->low <= y->high;
+    const bool any = y->low <= y->high;
+    if (any && plot->is_share) {
+        plot_frame_include(y, 0);
+        plot_frame_include(y, 1);
+    }
+    return any;
 }
 
 /* From which ratio of its ends on an axis is logarithmic: stops are steps of equal length. */

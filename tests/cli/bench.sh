@@ -15,7 +15,7 @@ lenscalc bench double-gauss --degree 3 --rays 12 --columns model,seconds,time_us
 lenscalc bench double-gauss --degree 3 --rays 12 --error 10um --csv --columns model,keeps_to_fnumber,keeps_to_field |
     awk -F, '{ print $1, ($2 > 0 ? "somewhere" : $2), ($3 > 0 ? "within" : $3) }' | sort -u
 lenscalc bench double-gauss --degree 3 --rays 12 --plot a.svg --columns model,seconds,pareto --csv > rows
-grep -c "time against error" a.svg
+grep -c "Time against error" a.svg
 echo "refused:"
 lenscalc bench double-gauss --error 1kg --columns model; echo "status $?"
 lenscalc bench double-gauss --quantity mtf --error 1um --columns model; echo "status $?"

@@ -239,7 +239,7 @@ static bool distortion_grid(const struct artifact_job *job, struct output *sink,
     }
     const bool far = setup->object.is_infinite;
     const struct grid_image grid = {
-        .title = arena_printf(arena, "Distortion: %s", panel_words(setup)),
+        .title = arena_printf(arena, "Distortion of %s", panel_words(setup)),
         .subtitle = arena_printf(arena, "a square grid %s", ideal_words(&ready, arena)),
         .note = arena_printf(arena, "%s; corners at a field of %.4g %s, distortion %+.3g %%",
                              key_words(input, at.one),

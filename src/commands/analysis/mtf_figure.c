@@ -259,7 +259,7 @@ static bool figure_add(struct figure_painter *painter, const struct analysis_cur
         place.x = point.defocus;
     } else {
         place.x = painter->is_angle ? degrees_from_radians(point.field) : point.height;
-        place.label = arena_printf(arena, "%.4g/mm", frequency);
+        place.label = arena_printf(arena, "%.4g cycles/mm", frequency);
     }
     /* One point, found by itself. */
     struct contrasts contrasts = {painter, source, error, false};
@@ -540,7 +540,7 @@ static size_t figure_put_series(const struct figure_painter *painter,
         }
     }
     if (painter->axis == BY_FREQUENCY) {
-        series[put++] = (struct plot_series){.label = "limit",
+        series[put++] = (struct plot_series){.label = "diffraction limit",
                                              .x = curves[0].x,
                                              .y = curves[0].limit,
                                              .count = curves[0].count,
@@ -575,18 +575,19 @@ bool mtf_figure(const struct artifact_job *job, struct output *sink, struct erro
     if (!figure_curves_collect(&painter, curves, &count, error)) {
         return false;
     }
-    static const char *const labels[] = {[BY_FREQUENCY] = "spatial frequency (1/mm)",
+    static const char *const labels[] = {[BY_FREQUENCY] = "spatial frequency (cycles/mm)",
                                          [BY_FOCUS] = "defocus (mm)",
                                          [BY_FIELD] = "field (mm)"};
     const bool is_deg = painter.axis == BY_FIELD && painter.is_angle;
-    struct plot plot = {.title = one ? arena_printf(svg.arena, "Contrast of %s", lens) : "Contrast",
+    struct plot plot = {.title = one ? arena_printf(svg.arena, "MTF of %s", lens) : "MTF",
                         .subtitle = painter.subtitle,
                         .x_label = is_deg ? "field (deg)" : labels[painter.axis],
-                        .y_label = "contrast",
+                        .y_label = "modulation transfer",
+                        .is_share = true,
                         .series = series};
     if (painter.axis == BY_FOCUS) {
         plot.subtitle =
-            arena_printf(svg.arena, "%s; %.4g/mm", plot.subtitle, painter.input->frequency);
+            arena_printf(svg.arena, "%s; %.4g cycles/mm", plot.subtitle, painter.input->frequency);
     } else if (painter.is_cut) {
         plot.subtitle =
             ARENA_JOIN(svg.arena, plot.subtitle, "; curves end where wave fronts are too steep");

@@ -263,8 +263,8 @@ static bool tolerance_view_check(const struct artifact_job *job, struct error *e
 
 static const char *title_of(const struct tolerance_job *job, const char *what)
 {
-    return arena_printf(job->run->arena, "%s: %s of %s", job->lens->title, what,
-                        job->question.criterion.name);
+    return arena_printf(job->run->arena, "%s of %s, %s", what, job->question.criterion.name,
+                        job->lens->title);
 }
 
 static const char *tolerance_subtitle_of(const struct tolerance_job *job, const char *which)
@@ -302,7 +302,7 @@ static bool draw_lenses(struct tolerance_job *job, bool is_yield, struct svg *sv
                      job->incomplete != NULL ? " (incomplete)" : "");
     double *counts = ARENA_ARRAY(arena, bins, double), sum = 0;
     double *yields = ARENA_ARRAY(arena, bins + 1, double);
-    struct tally_plot plot = {.title = title_of(job, is_yield ? "yield" : "spread"),
+    struct tally_plot plot = {.title = title_of(job, is_yield ? "Yield" : "Spread"),
                               .subtitle = tolerance_subtitle_of(job, lenses),
                               .x_label = tolerance_label_of(job, is_yield ? "limit of " : ""),
                               .y_label = is_yield ? "lenses that pass (%)" : "lenses",
@@ -343,7 +343,7 @@ static bool draw_offenders(struct tolerance_job *job, struct svg *svg, struct er
         bars[i] = (struct pareto_bar){job->question.perturbations[offenders[i].perturbation].name,
                                       offenders[i].share.first, offenders[i].share.total};
     }
-    const struct pareto pareto = {.title = title_of(job, "who makes the spread"),
+    const struct pareto pareto = {.title = title_of(job, "What makes the spread"),
                                   .subtitle = tolerance_subtitle_of(job, ""),
                                   .x_label = "share of the variance, mean of all fields",
                                   .part_name = "by itself",

@@ -334,7 +334,7 @@ bool fit_draw_map(const struct artifact_job *wanted, struct output *sink, struct
     }
     map.points = points;
     map.count = lost;
-    map.title = arena_printf(arena, "%s%s%s: exact rays against the fitted thick lens", title,
+    map.title = arena_printf(arena, "Exact rays against the fitted thick lens of %s%s%s", title,
                              job->setup->position != NULL ? ", " : "",
                              job->setup->position != NULL ? job->setup->position : "");
     map.subtitle = job->task.separate

@@ -328,7 +328,7 @@ bool optimize_plot(const struct artifact_job *job, struct output *sink, struct e
     for (size_t i = 0; i < length; i++) {
         x[i] = (double)i + is_search;
     }
-    const struct plot plot = {.title = last->lens->title,
+    const struct plot plot = {.title = arena_printf(arena, "Merit of %s", last->lens->title),
                               .subtitle = last->goals,
                               .x_label = is_search ? "starts, the best first" : "iteration",
                               .y_label = "merit",

@@ -315,7 +315,7 @@ static bool draw_wedge(const struct artifact_job *job, struct output *sink, stru
         .lens_diameter = fmax(camera.f / camera.N, 0.8 * height),
         .depth = isnan(input->depth) ? 0 : input->depth,
     };
-    wedge.title = arena_printf(svg.arena, "Wedge of sharpness of a tilted %.4g mm lens", camera.f);
+    wedge.title = arena_printf(svg.arena, "Wedge of sharpness, %.4g mm lens", camera.f);
     wedge.subtitle =
         arena_printf(svg.arena,
                      "f/%.4g, circle of confusion %.4g mm (%s), sensor %s; distances along the "

@@ -219,8 +219,8 @@ bool dof_draw_scale(const struct artifact_job *job, struct output *sink, struct 
     }
     barrel.focus_diopter = 1000 / setting.s;
     barrel.title = lens.real->title != NULL
-                       ? arena_printf(svg.arena, "Depth of field of %s", lens.real->title)
-                       : arena_printf(svg.arena, "Depth of field of a %.4g mm lens", setting.f);
+                       ? arena_printf(svg.arena, "Depth of field, %s", lens.real->title)
+                       : arena_printf(svg.arena, "Depth of field, %.4g mm lens", setting.f);
     barrel.subtitle =
         arena_printf(svg.arena,
                      "focused at %.4g m, f/%.4g, circle of confusion %.4g mm, distances from the "

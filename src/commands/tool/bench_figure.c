@@ -106,7 +106,7 @@ bool bench_plot(const struct artifact_job *job, struct output *sink, struct erro
                                                                 : "time of all fields (us)";
     const char *title = drawing->setup->lens->title;
     const struct front front = {
-        .title = arena_printf(arena, "%s: time against error", title != NULL ? title : "A lens"),
+        .title = arena_printf(arena, "Time against error of %s", title != NULL ? title : "a lens"),
         .subtitle = arena_printf(
             arena, "%s%s%s%s, %zu field%s, f/%.3g", bench_quantities[input->quantity].word,
             drawing->setup->position != NULL ? ", " : "",
