@@ -97,7 +97,7 @@ static void test_align_far(void)
     }
 }
 
-/* -------- pictures too small to be halved: a shift by one pixel is seen, and may be more -------- */
+/* -------- too small to be halved: a shift by one pixel is seen, and may be more -------- */
 
 enum { SMALL = 24, SMALL_PIXELS = SMALL * SMALL };
 

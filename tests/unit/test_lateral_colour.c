@@ -100,10 +100,48 @@ static void test_moved(void)
     CHECK(find(&fixture, 30, 0, 2) == NULL); /* where no light comes */
 }
 
+/* A wide tile: each of its corners by itself, and none is told of where one of them is dark. */
+static void test_corners(void)
+{
+    static const double before = 20, left = 2, bottom = -5, tile[2] = {3, 2}, pixels[2] = {2, 2};
+    struct fixture fixture;
+    if (!open_thin(before, &fixture)) {
+        return;
+    }
+    const struct film_plan plan = {
+        .left = left, .bottom = bottom, .width = tile[0], .height = tile[1]};
+    const struct lateral_colour *fringes =
+        lateral_colour_find(&fixture.film, 3, 1, pixels, &plan, fixture.room);
+    CHECK(fringes != NULL);
+    for (int i = 0; i < 12 && fringes != NULL; i++) {
+        const size_t w = (size_t)i / 4;
+        const double across = i % 2, up = i / 2 % 2;
+        const double own = before + film * (1 - before / focal(w));
+        const double seconds = before + film * (1 - before / focal(1));
+        const double at[2] = {left + across * tile[0], bottom + up * tile[1]};
+        for (int axis = 0; axis < 2; axis++) {
+            const double expected = at[axis] * (seconds / own - 1);
+            CHECK_NEAR(lateral_colour_moved(fringes, w, axis, across, up), expected,
+                       0.02 * fabs(expected) + 1e-9, "between chief rays of a corner");
+        }
+    }
+    static const double edges[4][4] = {
+        {2, 0, 28, 1}, {-30, 0, 32, 1}, {0, 2, 1, 28}, {0, -30, 1, 32}};
+    for (int i = 0; i < 4; i++) {
+        const struct film_plan dark = {.left = edges[i][0],
+                                       .bottom = edges[i][1],
+                                       .width = edges[i][2],
+                                       .height = edges[i][3]};
+        const double large[2] = {100, 100};
+        CHECK(lateral_colour_find(&fixture.film, 3, 1, large, &dark, fixture.room) == NULL);
+    }
+}
+
 int main(void)
 {
     test_spread();
     test_moved();
+    test_corners();
     arena_free(&arena);
     return check_report();
 }

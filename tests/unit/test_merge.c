@@ -245,6 +245,8 @@ static void test_piles(void)
         {{{40, {1, 0.5}}, {11, {0.9605, 0.2401}}, {1000, {0.4, 0.1}}}, false},
         {{{40, {1, 0.5}}, {11, {0.9905, 0.5}}, {1000, {0.4, 0.1}}}, true},
         {{{40, {1, 0.5}}, {11, {0.9895, 0.5}}, {1000, {0.4, 0.1}}}, false},
+        {{{20, {100, 50}}, {12, {99, 50}}, {1000, {40, 10}}}, true},
+        {{{20, {100, 50}}, {12, {98.99, 50}}, {1000, {40, 10}}}, false},
         /* 1.15 times the light elsewhere, */
         {{{40, {1, 0.2885}}, {1000, {0.4, 0.1}}}, true},
         {{{40, {1, 0.2865}}, {1000, {0.4, 0.1}}}, false},
@@ -262,6 +264,46 @@ static void test_piles(void)
             printf("case %zu\n", i);
         }
         CHECK(is_found(cases[i].kinds, 4) == cases[i].is_found);
+    }
+}
+
+/*
+ * The same in frames that are moved against each other: what the shorter one does not have, or has
+ * elsewhere, is dark and would hide the pile.
+ */
+static void test_piles_moved(void)
+{
+    enum { SIDE = 40, RIGHT = 3, DOWN = -2 };
+    for (int way = -1; way <= 1; way += 2) {
+        struct tone_frame frames[2];
+        float *values[2];
+        for (int f = 0; f < 2; f++) {
+            values[f] = ARENA_ARRAY(arena, (size_t)3 * SIDE * SIDE, float);
+            frames[f] = (struct tone_frame){.name = "x",
+                                            .width = SIDE,
+                                            .height = SIDE,
+                                            .values = values[f],
+                                            .time = f == 0 ? 4 : 1};
+        }
+        /* what lies at (x, y) of the longer one lies at (x + right, y + down) of the shorter one */
+        const int right = way * RIGHT, down = way * DOWN;
+        for (int i = 0; i < SIDE * SIDE; i++) {
+            const int x = i % SIDE, y = i / SIDE, there = SIDE * (y + down) + x + right;
+            const bool is_full = (7 * x + 11 * y) % 13 < 4;
+            const bool is_both =
+                x + right >= 0 && x + right < SIDE && y + down >= 0 && y + down < SIDE;
+            values[0][3 * i + 1] = is_full ? 1 : 0.4F;
+            if (is_both) {
+                values[1][3 * there + 1] = is_full ? 0.2885F : 0.1F;
+            }
+        }
+        frames[0].right = 5;
+        frames[0].down = -7;
+        frames[1].right = 5 + right;
+        frames[1].down = -7 + down;
+        struct saturation_found found;
+        saturation_find(frames, 2, arena, &found);
+        CHECK(found.is_found[1]);
     }
 }
 
@@ -308,6 +350,7 @@ int main(void)
     test_apart_kept();
     test_looked();
     test_piles();
+    test_piles_moved();
     test_mixed();
     arena_free(arena);
     return check_report();
