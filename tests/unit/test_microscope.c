@@ -84,6 +84,9 @@ static void test_sampling(void)
     CHECK_NEAR(found.nyquist_pitch * 1000, 2.75, 1e-9, "and the pitch that is enough");
     CHECK_NEAR(microscope_magnification(20, 180, 200), 18, 1e-12,
                "20x for 200 mm is 18x with 180 mm");
+    s = objective(20, 0.25, 1);
+    CHECK(microscope_compute(&s, &found, &error));
+    CHECK_NEAR(found.nyquist_pitch * 1000, 11, 1e-9, "20 x 0.55/(4 x 0.25) um");
 }
 
 static void test_refusals(void)
@@ -92,6 +95,8 @@ static void test_refusals(void)
     struct microscope_setting s = objective(100, 1.25, 1);
     CHECK(!microscope_compute(&s, &found, &error));
     CHECK(strstr(error.message, "below the index") != NULL);
+    s = objective(100, 1, 1); /* all of half a sphere */
+    CHECK(!microscope_compute(&s, &found, &error));
     s = objective(100, NAN, 1);
     CHECK(!microscope_compute(&s, &found, &error));
     s = objective(100, 0.5, 0.9);

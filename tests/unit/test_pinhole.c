@@ -83,6 +83,19 @@ static void test_refusals(void)
         CHECK(!pinhole_find(&wrong[i], PINHOLE_RAYLEIGH, 0.3, &hole, &error));
     }
     CHECK(!pinhole_find(&good, PINHOLE_RAYLEIGH, 0, &hole, &error));
+    CHECK_TEXT(error.message, "a hole of 0 mm is not above 0 and finite");
+    /* squares that no number holds: the hole, or its f-number, is none */
+    CHECK(!pinhole_best(&(struct pinhole_setting){1e-200, INFINITY, 1e-200}, PINHOLE_RAYLEIGH, &d,
+                        &error));
+    CHECK_TEXT(error.message, "the best hole is too small or large for a number");
+    CHECK(!pinhole_best(&(struct pinhole_setting){1e200, INFINITY, 1e200}, PINHOLE_RAYLEIGH, &d,
+                        &error));
+    CHECK_TEXT(error.message, "the best hole is too small or large for a number");
+    CHECK(!pinhole_find(&(struct pinhole_setting){50, INFINITY, 1e300}, PINHOLE_RAYLEIGH, 1e-20,
+                        &hole, &error));
+    CHECK_TEXT(error.message, "the hole is too small for a number");
+    CHECK(!pinhole_find(&good, PINHOLE_RAYLEIGH, 1e-320, &hole, &error));
+    CHECK_TEXT(error.message, "the hole is too small for a number");
     CHECK(!pinhole_find(&good, PINHOLE_RAYLEIGH, INFINITY, &hole, &error));
 }
 

@@ -112,6 +112,21 @@ static void test_throw(void)
     a.throw_ratio = NAN;
     CHECK(!projector_solve(&a, &error));
     a = blank();
+    /* either of the two beside a brightness: 1.44 m2 of 100 lx are 144 lm */
+    a.flux = 144;
+    a.illuminance = 100;
+    a.throw_ratio = 2;
+    CHECK(projector_solve(&a, &error));
+    CHECK_RELATIVE(a.width, 1600.0, 4 * DBL_EPSILON, "by its light");
+    CHECK_RELATIVE(a.distance, 3200.0, 4 * DBL_EPSILON, "R W");
+    a = blank();
+    a.flux = 144;
+    a.illuminance = 100;
+    a.distance = 3200;
+    CHECK(projector_solve(&a, &error));
+    CHECK_RELATIVE(a.width, 1600.0, 4 * DBL_EPSILON, "by its light");
+    CHECK_RELATIVE(a.throw_ratio, 2.0, 4 * DBL_EPSILON, "D/W");
+    a = blank();
     a.throw_ratio = 2;
     CHECK(!projector_solve(&a, &error));
     a.distance = a.width = 1;
