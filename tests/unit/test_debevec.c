@@ -182,6 +182,16 @@ static void test_refused(void)
     CHECK(!debevec_recover(frames, 2, arena, curves, &error));
     CHECK_TEXT(error.message, "no response can be told: 0 of 400 pixels are neither black nor full "
                               "in two frames");
+    /* of one pixel, that two frames do not have: what they have below it is not asked for */
+    static const uint8_t grey[] = {100};
+    struct tone_frame one[3];
+    for (int f = 0; f < 3; f++) {
+        one[f] = frame_of(grey, 1, 1, 1 << f);
+        one[f].down = f > 0 ? -1 : 0;
+    }
+    CHECK(!debevec_recover(one, 3, arena, curves, &error));
+    CHECK_TEXT(error.message, "no response can be told: 0 of 1 pixels are neither black nor full "
+                              "in two frames");
 }
 
 int main(void)

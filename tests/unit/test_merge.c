@@ -342,6 +342,27 @@ static void test_mixed(void)
     CHECK(between > 5 && frame.full == full && full > 0);
 }
 
+/* A part of a channel in a colour that is rounding, beside its largest, is none. */
+static void test_rounding_parts(void)
+{
+    uint8_t bytes[] = {100, 255, 100};
+    struct saturation saturation;
+    struct tone_frame frame = frame_of(bytes, 1, 1, 1);
+    frame.bytes = bytes;
+    CHECK(saturation_read("1e-4 1e-12 0 0 1e-4 0 0 0 1e-4", &saturation, &error));
+    saturation_apply(&frame, &saturation, arena);
+    CHECK(frame.trust[0] == TRUST_MOST && frame.trust[1] == 0 && frame.trust[2] == TRUST_MOST);
+    CHECK(saturation_read("1e-4 1e-9 0 0 1e-4 0 0 0 1e-4", &saturation, &error));
+    saturation_apply(&frame, &saturation, arena);
+    CHECK(frame.trust[0] == 0 && frame.trust[1] == 0 && frame.trust[2] == TRUST_MOST);
+    /* rows, or columns, that are nearly one tell no channels apart */
+    CHECK(saturation_read("1e-4 0 0 0 1e-4 0 0 0 1e-4", &saturation, &error));
+    CHECK(saturation_read("1e4 0 0 0 1e4 0 0 0 1e4", &saturation, &error));
+    CHECK(!saturation_read("1e4 1e4 0 1e4 10000.001 0 0 0 1e4", &saturation, &error));
+    CHECK(saturation_read("1e4 1e4 0 1e4 10000.1 0 0 0 1e4", &saturation, &error));
+    CHECK(!saturation_read("0 0 0 0 1 0 0 0 1", &saturation, &error));
+}
+
 int main(void)
 {
     test_wide();
@@ -352,6 +373,7 @@ int main(void)
     test_piles();
     test_piles_moved();
     test_mixed();
+    test_rounding_parts();
     arena_free(arena);
     return check_report();
 }

@@ -107,11 +107,62 @@ static void test_again(void)
     CHECK(memcmp(a, b, sizeof a) != 0);
 }
 
+/*
+ * A crop in tiles of the whole frame: they begin where the frame's do, have it all between them,
+ * each pixel once, and give a picture back that is taken apart by them.
+ */
+static void test_crops(void)
+{
+    static const struct image_area crops[] = {{0, 0, 0, 0},   {0, 0, 1, 1},  {17, 9, 30, 21},
+                                              {16, 8, 16, 8}, {15, 7, 2, 2}, {40, 31, 10, 2}};
+    enum { COLUMNS = 50, ROWS = 33 };
+    for (size_t i = 0; i < sizeof crops / sizeof *crops; i++) {
+        const struct tile_grid tiling = tiling_of(COLUMNS, ROWS, crops[i]);
+        const struct image_area all = {0, 0, COLUMNS, ROWS};
+        const struct image_area crop = crops[i].width == 0 ? all : crops[i];
+        const size_t first[2] = {crop.left / TILE_ACROSS, crop.top / TILE_DOWN};
+        const size_t last[2] = {(crop.left + crop.width - 1) / TILE_ACROSS,
+                                (crop.top + crop.height - 1) / TILE_DOWN};
+        static float from[ROWS * COLUMNS * TILE_CHANNELS], to[ROWS * COLUMNS * TILE_CHANNELS];
+        const size_t count = crop.width * crop.height * TILE_CHANNELS;
+        struct image image = {
+            .width = crop.width, .height = crop.height, .channels = TILE_CHANNELS, .pixels = from};
+        struct image again = image;
+        again.pixels = to;
+        CHECK(tiling.left == first[0] && tiling.top == first[1]);
+        CHECK(tiling.across == last[0] - first[0] + 1 && tiling.down == last[1] - first[1] + 1);
+        CHECK(tiling.frame == 4 && tiling.crop.width == crop.width);
+        for (size_t k = 0; k < count; k++) {
+            from[k] = (float)(k + 1);
+            to[k] = -1;
+        }
+        double sum = 0;
+        for (size_t tile = 0; tile < tiling.across * tiling.down; tile++) {
+            float pixels[TILE_PIXELS][TILE_CHANNELS];
+            size_t column, row;
+            tiling_begin(&tiling, tile, &column, &row);
+            CHECK(column == (first[0] + tile % tiling.across) * TILE_ACROSS);
+            CHECK(row == (first[1] + tile / tiling.across) * TILE_DOWN);
+            memset(pixels, 0x7f, sizeof pixels);
+            tiling_copy(&tiling, &image, tile, TILE_FROM_PICTURE, pixels);
+            for (size_t k = 0; k < TILE_PIXELS; k++) {
+                for (size_t c = 0; c < TILE_CHANNELS; c++) {
+                    sum += (double)pixels[k][c];
+                }
+            }
+            tiling_copy(&tiling, &again, tile, TILE_TO_PICTURE, pixels);
+        }
+        CHECK_NEAR(sum, (double)count * ((double)count + 1) / 2, 0, "each once");
+        CHECK(memcmp(from, to, count * sizeof *from) == 0);
+    }
+}
+
 int main(void)
 {
     test_squares();
     test_chance();
     test_apart();
     test_again();
+    test_crops();
     return check_report();
 }
