@@ -56,3 +56,8 @@ lenscalc distortion double-gauss --fit opencv --pitch 30mm
 lenscalc distortion double-gauss --projection flat
 ls
 lenscalc distortion canon-retrofocus-14 --sensor 30x20mm --fit opencv-rational --csv --digits 2 --columns direction,max_pixels
+# TV distortion of a picture
+lenscalc distortion double-gauss --aspect 3:2 --columns field,distortion,tv_smia,tv
+lenscalc distortion fisheye-16 --field 40,60deg --aspect 1,1.5 --projection equidistant --json --digits 4 --columns field,aspect,tv_smia,tv
+lenscalc distortion double-gauss --aspect 0
+lenscalc distortion double-gauss --aspect 3:2 --fit brown

@@ -273,6 +273,35 @@ static bool is_refused(const char *text, double field, const char *words)
     return said;
 }
 
+/*
+ * A concave mirror with its stop at the centre of curvature sends chief rays back along
+ * themselves: y = f tan t in its focal plane, against f t stretched tan t/t times.
+ */
+static void test_tv(void)
+{
+    static const double aspects[] = {1, 1.5, 16 / 9.};
+    struct arena arena = {0};
+    struct subject subject;
+    struct distortion_map map;
+    struct tv_distortion tv;
+    struct error error = {0};
+    open_text(&subject,
+              "object inf\nfield angle 20\nstop - 200 air 4\nsurface -200 -100 mirror 300\n",
+              &arena);
+    CHECK(distortion_open(&subject.setup, 0, EQUIDISTANT, &arena, &map, &error));
+    for (size_t i = 0; i < sizeof aspects / sizeof *aspects; i++) {
+        const double half[2] = {aspects[i] * 15, 15}, corner = hypot(half[0], 15) / 100;
+        CHECK(tv_distortion_find(&map, half, &tv, &error));
+        const double stretched = (tan(corner) / corner) / (tan(0.15) / 0.15);
+        CHECK_NEAR(tv.smia, stretched - 1, 1e-12, "corners stretch more than the middle");
+        CHECK_NEAR(tv.traditional, (stretched - 1) / 2, 1e-12, "half of it");
+    }
+    CHECK(distortion_open(&subject.setup, 0, RECTILINEAR, &arena, &map, &error));
+    CHECK(tv_distortion_find(&map, (double[2]){20, 15}, &tv, &error));
+    CHECK_NEAR(tv.smia, 0, 1e-13, "none against f tan t");
+    arena_free(&arena);
+}
+
 static void test_refusals(void)
 {
     CHECK(is_refused("object inf\nstop - 10 air 20\nthick 50 100 air 60\nthick 50 0 air -\n", 5,
@@ -292,6 +321,7 @@ int main(void)
     test_calibrated();
     test_near();
     test_squeeze();
+    test_tv();
     test_refusals();
     return check_report();
 }

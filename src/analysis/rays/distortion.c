@@ -167,6 +167,35 @@ bool distortion_of_ideal(const struct distortion_map *map, const double ideal[2]
     return true;
 }
 
+/* -------- TV distortion -------- */
+
+/* The height of the picture at a place across it, which keeps its sign. */
+static bool tv_height_find(const struct distortion_map *map, double x, double half, double *height,
+                           struct error *error)
+{
+    double upper[2], lower[2];
+    if (!distortion_of_ideal(map, (double[2]){x, half}, upper, error) ||
+        !distortion_of_ideal(map, (double[2]){x, -half}, lower, error)) {
+        return false;
+    }
+    *height = upper[1] - lower[1];
+    return true;
+}
+
+bool tv_distortion_find(const struct distortion_map *map, const double half[2],
+                        struct tv_distortion *tv, struct error *error)
+{
+    double left, right, middle;
+    if (!tv_height_find(map, -half[0], half[1], &left, error) ||
+        !tv_height_find(map, half[0], half[1], &right, error) ||
+        !tv_height_find(map, 0, half[1], &middle, error)) {
+        return false;
+    }
+    tv->smia = ((left + right) / 2 - middle) / middle;
+    tv->traditional = tv->smia / 2;
+    return true;
+}
+
 /* -------- the lens -------- */
 
 /* What there is to compare with, at all wavelengths alike. */

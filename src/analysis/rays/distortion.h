@@ -88,6 +88,24 @@ bool distortion_direction(const struct distortion_map *map, const struct field_p
 bool distortion_of_ideal(const struct distortion_map *map, const double ideal[2], double image[2],
                          struct error *error);
 
+/* Distortion of a rectangular picture, of 1: positive where its corners stretch. */
+struct tv_distortion {
+    double smia;        /* how much higher its sides are than its middle, over its middle */
+    double traditional; /* how far its long edges are bent, over its height: half of that */
+};
+
+/*
+ * TV distortion.
+ *
+ * Given     half  half the width and height of the ideal picture, mm, above 0
+ * Formula   smia = ((A1 + A2)/2 - B)/B: A1, A2 the heights of the left and the right side between
+ *           the images of the corners, B the height in the middle
+ * Source    [Imatest22], TV distortion: that of SMIA's specification, and half of it
+ * Errors    as distortion_of_ideal
+ */
+bool tv_distortion_find(const struct distortion_map *map, const double half[2],
+                        struct tv_distortion *tv, struct error *error);
+
 /*
  * The calibrated focal length: that which makes the distortion as large towards both signs.
  *

@@ -30,7 +30,7 @@ struct color_row {
     double zone;
     bool is_afocal, is_angular; /* axial is a vergence, lateral an angle */
     double axial;               /* mm or 1/mm */
-    double lateral;             /* mm or rad */
+    double lateral, total;      /* mm or rad */
     double chief_x, chief_y;
     double primary, secondary;
     const char *status, *summary;
@@ -56,6 +56,11 @@ static const struct column_form angle = {&dimension_angle, "mrad",
           .label = "lateral shift",                                                                \
           .help =                                                                                  \
               "of the chief ray on the image plane from that of the primary wavelength, upwards"), \
+        ENTRY(COLUMN_OR(struct color_row, total, is_angular, &angle), .name = "total_lateral",     \
+              .dimension = &dimension_length, .unit = "um", .flags = COLUMN_SPARSE,                \
+              .label = "total lateral colour",                                                     \
+              .help = "largest less smallest lateral shift of all wavelengths at the field; "      \
+                      "absent where these are swept"),                                             \
         ENTRY(PLACE(chief_x, COLUMN_HIDDEN), .name = "chief_x", .label = "chief ray x",            \
               .help = "where the chief ray meets the image plane"),                                \
         ENTRY(PLACE(chief_y, COLUMN_HIDDEN), .name = "chief_y", .label = "chief ray y",            \
@@ -190,6 +195,24 @@ static bool color_find_lateral(const struct analysis_case *one, const struct fie
     return true;
 }
 
+/* Hand out the rows of one field, which say how far all lie apart; false: no more are wanted. */
+static bool color_emit_field(const struct analysis_cursor *at, struct color_row *rows)
+{
+    const size_t count = at->one->setup->wavelength_count;
+    double low = INFINITY, high = -INFINITY;
+    for (size_t i = 0; i < count; i++) {
+        low = fmin(low, rows[i].lateral);
+        high = fmax(high, rows[i].lateral);
+    }
+    for (size_t i = 0; i < count; i++) {
+        rows[i].total = count > 1 && high >= low ? high - low : (double)NAN;
+        if (!run_emit(at->run, &rows[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+
 /* The rows of a field; false, and no error: no more are wanted. */
 static bool color_list_wavelengths(const struct analysis_cursor *at, struct error *error)
 {
@@ -201,21 +224,20 @@ static bool color_list_wavelengths(const struct analysis_cursor *at, struct erro
         !chromatic_focus(setup, lens_primary_wavelength(setup->lens), &primary, error)) {
         return false;
     }
+    struct color_row *rows = ARENA_ARRAY(setup->arena, setup->wavelength_count, struct color_row);
     for (size_t i = 0; i < setup->wavelength_count; i++) {
-        struct color_row row = color_row_of(at, setup->wavelengths[i].wavelength);
-        if (!chromatic_focus(setup, row.point.wavelength, &focus, error) ||
-            !color_find_lateral(one, &setup->fields[at->field].point, &row, error)) {
+        struct color_row *row = &rows[i];
+        *row = color_row_of(at, setup->wavelengths[i].wavelength);
+        if (!chromatic_focus(setup, row->point.wavelength, &focus, error) ||
+            !color_find_lateral(one, &setup->fields[at->field].point, row, error)) {
             return false;
         }
-        row.axial = color_axial(&primary, &focus, row.is_afocal);
-        row.primary = summary.axial.primary;
-        row.secondary = summary.axial.secondary;
-        row.summary = summary.words;
-        if (!run_emit(at->run, &row)) {
-            return false;
-        }
+        row->axial = color_axial(&primary, &focus, row->is_afocal);
+        row->primary = summary.axial.primary;
+        row->secondary = summary.axial.secondary;
+        row->summary = summary.words;
     }
-    return true;
+    return color_emit_field(at, rows);
 }
 
 static bool color_list_zones(const struct analysis_cursor *at, struct error *error)
@@ -248,25 +270,27 @@ static bool color_list_fields(const struct analysis_cursor *at, struct error *er
 {
     const struct setup *setup = at->one->setup;
     const long steps = ((const struct color_input *)at->input)->steps;
+    struct color_row *rows = ARENA_ARRAY(setup->arena, setup->wavelength_count, struct color_row);
     for (long k = 0; k <= steps; k++) {
         const struct field_point point = color_field(&setup->fields[at->field].point, k, steps);
         for (size_t i = 0; i < setup->wavelength_count; i++) {
-            struct color_row row = color_row_of(at, setup->wavelengths[i].wavelength);
-            double *parts[] = {&row.point.field, &row.point.field_x, &row.point.height,
-                               &row.point.height_x};
+            struct color_row *row = &rows[i];
+            *row = color_row_of(at, setup->wavelengths[i].wavelength);
+            double *parts[] = {&row->point.field, &row->point.field_x, &row->point.height,
+                               &row->point.height_x};
             for (size_t j = 0; j < sizeof parts / sizeof parts[0]; j++) {
                 *parts[j] *= (double)k / (double)steps;
             }
-            if (!color_find_lateral(at->one, &point, &row, error)) {
+            if (!color_find_lateral(at->one, &point, row, error)) {
                 /* it has a row that says so, and the question has failed */
                 at->run->shortfall = *error;
                 error_prefix(&at->run->shortfall, "%s: ", lens_field_words(&point, at->run->arena));
-                row.point.warning = arena_printf(at->run->arena, "%s", at->run->shortfall.message);
+                row->point.warning = arena_printf(at->run->arena, "%s", at->run->shortfall.message);
                 error->code = ERROR_NONE;
             }
-            if (!run_emit(at->run, &row)) {
-                return false;
-            }
+        }
+        if (!color_emit_field(at, rows)) {
+            return false;
         }
     }
     return true;

@@ -305,6 +305,11 @@ static const struct option options[] = {
      .help = "compare with the focal length that makes the largest and the smallest distortion "
              "over the field of the lens equal and opposite; with --fit, with the one that fits "
              "best"},
+    {OPTION(struct distortion_input, aspect), .name = "aspect", .column = "aspect",
+     .quantity = "aspect ratio", .dimension = &dimension_ratio, OPTION_POSITIVE,
+     .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .value = "RATIO", .excludes = "fit",
+     .help = "TV distortion of a picture whose corners lie at the field: its width over its "
+             "height, 3:2"},
     {OPTION(struct distortion_input, fit), .name = "fit", .word_at = fit_word_at,
      .fallback = "none", .value = "MODEL", .excludes = "field field-x height height-x",
      .help = "fit the coefficients with which other programs correct distortion, over the diagonal "
@@ -327,6 +332,8 @@ struct distortion_row {
     double distortion;           /* of 1 */
     double focal, magnification; /* paraxial */
     double calibrated_focal, calibrated_magnification;
+    double aspect;
+    struct tv_distortion tv;
     const char *projection;
 };
 
@@ -347,6 +354,15 @@ static const struct column columns[] = {
     {COLUMN(struct distortion_row, distortion), .dimension = &dimension_ratio, .unit = "percent",
      .flags = COLUMN_BRIEF, .name = "distortion", .symbol = "D",
      .help = "image height less ideal height, over that; absent on the axis"},
+    {COLUMN(struct distortion_row, aspect), .name = "aspect", .with = "aspect",
+     .flags = COLUMN_ECHO | COLUMN_EXTRA, .help = "width over height of the picture"},
+    {COLUMN(struct distortion_row, tv.smia), .dimension = &dimension_ratio, .unit = "percent",
+     .flags = COLUMN_EXTRA | COLUMN_BRIEF, .with = "aspect", .name = "tv_smia",
+     .label = "TV distortion (SMIA)",
+     .help = "how much higher the sides of that picture are than its middle"},
+    {COLUMN(struct distortion_row, tv.traditional), .dimension = &dimension_ratio,
+     .unit = "percent", .flags = COLUMN_EXTRA | COLUMN_BRIEF, .with = "aspect", .name = "tv",
+     .label = "TV distortion", .help = "how far its long edges are bent, over its height: half"},
     {LENGTH(x, COLUMN_HIDDEN), .name = "image_x", .label = "image x",
      .help = "of the chief ray in the image plane"},
     {LENGTH(y, COLUMN_HIDDEN), .name = "image_y", .label = "image y", .help = "upwards"},
@@ -371,6 +387,17 @@ static const struct column columns[] = {
 
 static const struct sheet field_sheet = SHEET(columns, struct distortion_row);
 static const struct sheet *const sheets[] = {&field_sheet, &distortion_fit_sheet, NULL};
+
+/* TV distortion of the picture whose corners lie at the ideal height of the row. */
+static bool distortion_row_frame(const struct distortion_case *ready, double aspect,
+                                 struct distortion_row *row)
+{
+    struct error ignored = {0};
+    const double half = fabs(row->ideal) / hypot(1, aspect);
+    const double sides[2] = {aspect * half, half};
+    row->aspect = aspect;
+    return !(half > 0) || tv_distortion_find(&ready->map, sides, &row->tv, &ignored);
+}
 
 static bool distortion_run(const void *data, struct run *run, struct error *error)
 {
@@ -411,6 +438,9 @@ static bool distortion_run(const void *data, struct run *run, struct error *erro
             row.focal = ready.focal;
             row.magnification = ready.magnification;
             row.projection = ready.projection;
+            if (!isnan(input->aspect) && !distortion_row_frame(&ready, input->aspect, &row)) {
+                analysis_warn(&at, &row.point, "some of the picture has no chief ray");
+            }
             analysis_warn(&at, &row.point,
                           found.is_lit ? NULL
                                        : "clear apertures stop the chief ray of some field: what "
@@ -482,6 +512,9 @@ static const struct explanation explanations[] = {
     {"image_height", "y = where the ray through the centre of the stop meets the image plane",
      "Snell's law in vectors, [Welford86]", "clear apertures do not stop it"},
     {"distortion", "D = ({y} - {yp})/{yp}", "[Welford86]", NULL},
+    {"tv_smia", "TV = ((A1 + A2)/2 - B)/B, A1 and A2 heights of the sides, B of the middle",
+     "[Imatest22], SMIA's TV distortion",
+     "of the picture whose corners the projection images at {yp}"},
     {"rms_pixels model=brown", "of r_u = r_d (1 + k1 r_d^2 + k2 r_d^4 + k3 r_d^6), r in mm" FITTED,
      "[Brown71]", "the inverse is another polynomial of the same kind"},
     {"rms_pixels model=opencv",

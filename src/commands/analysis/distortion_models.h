@@ -13,7 +13,8 @@ struct distortion_input {
     bool calibrated;
     int fit; /* 0: none; else 1 + enum distortion_model */
     struct sensor_value sensor;
-    double pitch; /* mm; NaN = not given */
+    double pitch;  /* mm; NaN = not given */
+    double aspect; /* width over height of a picture; NaN = not given */
 };
 
 /* Field by field, and one answer for the whole lens. */
