@@ -15,3 +15,7 @@ lenscalc sag double-gauss --surface 1 --height 5 --steps 3
 printf 'lens bare\nobject inf\naperture epd 10\nsurface 50 6 1.5 -\nsurface - 10 air -\n' | lenscalc sag -
 printf 'lens flat\nobject inf\naperture epd 10\nsurface - 6 1.5 -\nsurface - 10 air -\n' | lenscalc sag -
 lenscalc sag double-gauss --plot sag.svg > rows && grep -o '>[^<>]*</text>' sag.svg | sed 's/^>//; s/<.*//' | grep -v '^[−0-9.]*$' | sort
+# the y-ybar diagram
+lenscalc surfaces double-gauss --plot ybar.svg > rows && grep -o '>[^<>]*</text>' ybar.svg | sed 's/^>//; s/<.*//' | grep -v '^[−0-9.]*$'
+lenscalc surfaces canon-nfd-70-210 --position all --plot zoom.svg > rows && grep -o '>[^<>]*</text>' zoom.svg | sed 's/^>//; s/<.*//' | grep -v '^[−0-9.]*$'
+printf 'lens bare\nobject inf\nsurface 50 6 1.5 -\nsurface - 10 air -\n' | lenscalc surfaces - --csv --plot none.svg > rows

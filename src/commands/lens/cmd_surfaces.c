@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "commands/lens/lens_options.h"
 #include "commands/tables.h"
+#include "draw/plot.h"
 #include "optics/surface_shape.h"
 
 struct surfaces_input {
@@ -193,6 +194,91 @@ static bool surfaces_run(const void *data, struct run *run, struct error *error)
     return error->code == ERROR_NONE;
 }
 
+/* -------- the y-ybar diagram -------- */
+
+enum { CURVES_MOST = 7 };
+
+/* Heights of the chief and the marginal ray from surface to surface, a curve a lens and position. */
+struct ybar_drawing {
+    struct arena *arena;
+    struct plot_series series[CURVES_MOST];
+    size_t count;
+    const char *lens;
+};
+
+static bool ybar_drawing_add(struct ybar_drawing *drawing, const struct lens_case *one,
+                             struct error *error)
+{
+    const struct first_order *first = &one->light.first;
+    const size_t count = one->light.system.count;
+    struct arena *arena = drawing->arena;
+    const struct paraxial_ray *marginal =
+        surfaces_follow(one, first->marginal_y, first->marginal_v, arena);
+    const struct paraxial_ray *chief = surfaces_follow(one, first->chief_y, first->chief_v, arena);
+    double *x = ARENA_ARRAY(arena, 2 * count + 2, double), *y = x + count + 1;
+    if (drawing->count == CURVES_MOST) {
+        return fail(error, ERROR_USAGE, "{--plot} would draw more than %d diagrams", CURVES_MOST);
+    }
+    for (size_t i = 0; i < count; i++) {
+        x[i] = i == one->light.system.stop ? 0 : chief[i].y;
+        y[i] = marginal[i].y;
+    }
+    if (!isfinite(x[0]) || !isfinite(y[0])) {
+        return fail(error, ERROR_DOMAIN,
+                    "{--plot}: the lens has no marginal and chief ray: it states no aperture, "
+                    "no stop or no field");
+    }
+    /* last where the marginal ray meets the axis: the image, unless it is infinitely far away */
+    const struct paraxial_ray *last = &marginal[count - 1];
+    const bool is_far = !(fabs(last->after) > 0) || isinf(first->image);
+    x[count] = chief[count - 1].y - last->y * (chief[count - 1].after / last->after);
+    const char *title = one->setup->lens->title, *position = one->setup->position;
+    drawing->lens = title;
+    drawing->series[drawing->count] =
+        (struct plot_series){.label = position != NULL ? position : title,
+                             .x = x,
+                             .y = y,
+                             .count = is_far ? count : count + 1,
+                             .style = drawing->count};
+    drawing->count++;
+    return true;
+}
+
+static bool surfaces_figure(const struct artifact_job *job, struct output *sink,
+                            struct error *error)
+{
+    struct svg svg = {.arena = job->run->arena};
+    struct ybar_drawing drawing = {.arena = svg.arena};
+    for (size_t i = 0; i < job->count; i++) {
+        const struct surfaces_input *input = job->inputs[i];
+        struct lens_cursor at = lens_begin(&input->question, &policy, svg.arena);
+        while (lens_next(&at, error)) {
+            if (!ybar_drawing_add(&drawing, &at.one, error)) {
+                return false;
+            }
+        }
+        if (error->code != ERROR_NONE) {
+            return false;
+        }
+    }
+    drawing.series[0].label = drawing.count > 1 ? drawing.series[0].label : NULL;
+    const struct plot plot = {
+        .title = drawing.count > 1 ? "y-ybar diagrams"
+                                   : arena_printf(svg.arena, "y-ybar diagram of %s", drawing.lens),
+        .subtitle = "paraxial rays at each surface, and at the image last",
+        .x_label = "height of the chief ray, ybar (mm)",
+        .y_label = "height of the marginal ray, y (mm)",
+        .series = drawing.series,
+        .series_count = drawing.count};
+    return plot_draw(&plot, &svg, error) && drawing_write(job, &svg, sink, error);
+}
+
+static const struct artifact artifacts[] = {
+    {ARTIFACT_OPTION("plot", drawing_types,
+                     "draw the y-ybar diagram: the marginal ray against the chief ray"),
+     .scope = ARTIFACT_OF_SWEEP, .make = surfaces_figure},
+};
+
 static const struct explanation explanations[] = {
     {"power", "P = (n' - n)/R", "[Smith05]", "paraxial"},
     {"marginal_v", "v' = {v} before - {y} {P}", "[Smith05]; v = n u", NULL},
@@ -202,6 +288,7 @@ static const struct explanation explanations[] = {
 static const struct example examples[] = {
     {"surfaces double-gauss", "the table of the lens, with powers and paraxial rays"},
     {"surfaces double-gauss -N 4 --field 10deg -w F --csv", "for a spreadsheet"},
+    {"surfaces double-gauss --plot ybar.svg", "its y-ybar diagram"},
     {"surfaces double-gauss --columns surface,power_diopter,vergence_after_diopter",
      "vergences in dioptres"},
     {NULL, NULL},
@@ -219,5 +306,6 @@ const struct command command_surfaces = {
     COMMAND_OF("a lens", "a lens surface by surface: powers, vergences, paraxial rays"),
     .run = surfaces_run,
     .makes_many = command_always_many,
+    COMMAND_MAKES(artifacts),
     .weight = surfaces_weight,
 };
