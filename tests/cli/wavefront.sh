@@ -12,7 +12,9 @@ printf "$telescope" | lenscalc wavefront - --reference best
 lenscalc wavefront double-gauss -N 5.6 --field 0,80 --csv --digits 4 --columns field,rms_waves,warning
 lenscalc wavefront double-gauss --field 0 --pattern hexapolar --rays 127 --no-clip --csv --digits 4 --columns rms_waves,error_waves,rays
 lenscalc wavefront double-gauss -N 5.6 --explain --field 0 --columns rms_waves | tail -12
-lenscalc wavefront double-gauss --spectrum d,F
+lenscalc wavefront double-gauss -N 8 --spectrum d:1,F:0.5 --csv --digits 4
+lenscalc wavefront double-gauss -N 8 --spectrum d,F --zernike noll
+lenscalc wavefront double-gauss -N 8 --spectrum d,F --plot none.svg
 lenscalc wavefront double-gauss --terms 5
 lenscalc wavefront double-gauss --size 64
 lenscalc wavefront double-gauss --zernike born

@@ -1,4 +1,4 @@
-/* analysis/waves/wavefront.c - the wave front of a field at one wavelength, against its reference. */
+/* analysis/waves/wavefront.c - the wave front of a field against its reference. */
 /* SPDX-License-Identifier: MIT */
 #include "analysis/waves/wavefront.h"
 
@@ -330,8 +330,10 @@ static bool wavefront_converge(const struct wavefront_source *source, struct are
     return true;
 }
 
-bool wavefront_find(const struct wavefront_source *source, bool wants_pv, struct arena *arena,
-                    struct wavefront *wavefront, struct error *error)
+/* The figures of the first wavelength. */
+static bool wavefront_find_one(const struct wavefront_source *source, bool wants_pv,
+                               struct arena *arena, struct wavefront *wavefront,
+                               struct error *error)
 {
     const struct wavefront_question *question = source->question;
     struct wavefront_values values;
@@ -350,6 +352,67 @@ bool wavefront_find(const struct wavefront_source *source, bool wants_pv, struct
     }
     wavefront->radius = source->reference.opd.is_plane ? INFINITY : source->reference.opd.radius;
     wavefront->islands = bundle_islands(&source->lights.list[0].source, arena);
+    return true;
+}
+
+/* What several wavelengths add up to. */
+struct wavefront_sums {
+    double weight, square, error_square; /* of mean squares */
+    double light, strehl, strehl_error;  /* by weights over squared wavelengths */
+    double clear, missed;
+    size_t rays;
+    bool has_converged;
+};
+
+static void wavefront_add_light(const struct wave_light *light, const struct wavefront *one,
+                                struct wavefront_sums *sums)
+{
+    const double weight = light->weight;
+    const double peak = weight / (light->wavelength * light->wavelength);
+    sums->weight += weight;
+    sums->square += weight * one->rms * one->rms;
+    sums->error_square += weight * one->error * one->error;
+    sums->light += peak;
+    sums->strehl += peak * one->strehl;
+    sums->strehl_error += peak * one->strehl_error;
+    sums->clear += weight * one->clear;
+    sums->missed += weight * one->missed;
+    sums->rays += one->rays;
+    sums->has_converged = sums->has_converged && one->has_converged;
+}
+
+bool wavefront_find(const struct wavefront_source *source, bool wants_pv, struct arena *arena,
+                    struct wavefront *wavefront, struct error *error)
+{
+    struct wavefront_sums sums = {.has_converged = true};
+    if (source->lights.count == 1) {
+        return wavefront_find_one(source, wants_pv, arena, wavefront, error);
+    }
+    for (size_t g = 0; g < source->lights.count; g++) {
+        struct wavefront_source each = *source;
+        struct wavefront one;
+        each.lights.list += g;
+        each.zero = opd_path(&source->reference.opd, &each.lights.list[0].chief);
+        each.waves = 1000 / each.lights.list[0].wavelength;
+        if (!(each.lights.list[0].weight > 0)) {
+            continue;
+        }
+        if (!wavefront_find_one(&each, false, arena, &one, error)) {
+            return false;
+        }
+        wavefront_add_light(&each.lights.list[0], &one, &sums);
+        *wavefront = one;
+    }
+    wavefront->rms = sqrt(sums.square / sums.weight);
+    wavefront->error = sqrt(sums.error_square / sums.weight);
+    wavefront->strehl = sums.strehl / sums.light;
+    wavefront->strehl_error = sums.strehl_error / sums.light;
+    wavefront->marechal = exp(-pow(2 * PI * wavefront->rms, 2));
+    wavefront->mean = wavefront->pv = NAN;
+    wavefront->clear = sums.clear / sums.weight;
+    wavefront->missed = sums.missed / sums.weight;
+    wavefront->rays = sums.rays;
+    wavefront->has_converged = sums.has_converged;
     return true;
 }
 

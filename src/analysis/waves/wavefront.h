@@ -1,4 +1,4 @@
-/* analysis/waves/wavefront.h - the wave front of a field at one wavelength, against its reference. */
+/* analysis/waves/wavefront.h - the wave front of a field against its reference. */
 /* SPDX-License-Identifier: MIT */
 #ifndef LENSCALC_ANALYSIS_WAVES_WAVEFRONT_H
 #define LENSCALC_ANALYSIS_WAVES_WAVEFRONT_H
@@ -11,7 +11,7 @@
 #include <stddef.h>
 
 struct wavefront_question {
-    struct bundle_question bundle; /* its wavelength is the setup's only one */
+    struct bundle_question bundle; /* its wavelength is not used: all of the setup are */
     enum wave_about about;
     size_t rays;  /* 0: doubled until `error` is met */
     double error; /* relative to the rms, absolute of the Strehl ratio */
@@ -28,7 +28,7 @@ struct wavefront {
     double clear;  /* share of the pupil's area */
     double missed; /* share of the light that misses the reference sphere: no part of the rest */
     double radius; /* of the reference sphere, mm; infinite: a plane */
-    size_t rays;
+    size_t rays;   /* of all wavelengths */
     struct pupil_islands islands;
     bool has_converged;
 };
@@ -51,13 +51,16 @@ bool wavefront_open(const struct wavefront_question *question, struct arena *are
                     struct wavefront_source *source, struct error *error);
 
 /*
- * The figures of a wave front.
+ * The figures of a wave front; of several wavelengths those of all together.
  *
- * Given     wants_pv  the extremes too; else they are NaN
+ * Given     wants_pv  the extremes too; else, and of several wavelengths, they are NaN
  * Formula   means weighted as the bundle weighs; extremes over 64 directions and all corners times
  *           15 rings to the edge, then by ever closer looks about the highest and the lowest.
  *           Errors: twice what twice the rays change; of the Strehl ratio as much as light can add
  *           whose phase differs by more than 0.3 wavelengths from ray to ray
+ *           Of several wavelengths: rms^2 = sum of w rms^2/sum of w, each in its own wavelength and
+ *           about the same reference, w its weight; the Strehl ratio is their light there over
+ *           that of perfect waves, sum of w S/wavelength^2 over sum of w/wavelength^2
  * Source    Strehl ratios: [BornWolf99] 9.1.3, [Mahajan83]
  * Errors    as bundle_trace
  * Limits    2^17 rays; what has not converged then says so
@@ -74,7 +77,7 @@ struct wavefront_fit {
 };
 
 /*
- * The polynomials that fit best over what is clear of the pupil, whose full radius is 1.
+ * The polynomials of the first wavelength that fit best over what is clear of the pupil, whose full radius is 1.
  *
  * Formula   weighted least squares by orthogonal factors over a quadrature of at least eight rays a
  *           term; of a whole disc the same as projections
@@ -85,7 +88,7 @@ bool wavefront_fit(const struct wavefront_source *source, enum zernike_kind kind
                    struct arena *arena, struct wavefront_fit *fit, struct error *error);
 
 /*
- * W on a square grid of the pupil, as points of PATTERN_SQUARE would lie: (2 i + 1 - size)/size.
+ * W of the first wavelength on a square grid of the pupil, as points of PATTERN_SQUARE would lie: (2 i + 1 - size)/size.
  *
  * Result    size * size values in wavelengths, rows from below; NaN: no ray arrives
  */

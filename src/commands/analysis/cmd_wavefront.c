@@ -16,8 +16,8 @@ struct wavefront_input {
 
 enum { MAP_SIZE = 128, DRAWN_SIZE = 400 };
 
-static const struct analysis_policy policy = {
-    .wavelengths = WAVELENGTHS_PRIMARY, .fields = FIELDS_ALL, .one_wavelength = true};
+static const struct analysis_policy policy = {.wavelengths = WAVELENGTHS_PRIMARY,
+                                              .fields = FIELDS_ALL};
 
 static const struct word references[] = {
     [WAVE_CHIEF] = {"chief", "the chief ray of the same wavelength"},
@@ -38,6 +38,7 @@ static const struct word orders[] = {
 static const struct option options[] = {
     ANALYSIS_OPTIONS("the primary one", ", or the fields of one question"),
     ANALYSIS_FIELD_OPTIONS,
+    ANALYSIS_SPECTRUM_OPTION(struct wavefront_input, question),
     {OPTION(struct wavefront_input, reference), .name = "reference", .words = references,
      .fallback = "chief", .value = "WHAT", .help = "centre of the reference sphere"},
     {OPTION(struct wavefront_input, zernike), .name = "zernike", .words = orders,
@@ -96,6 +97,7 @@ static const struct column figure_columns[] = {
     {PLAIN(figures.clear, 0), .name = "clear", .label = "clear share",
      .help = "fraction of the pupil's area that is not vignetted"},
     {PLAIN(rays, COLUMN_HIDDEN), .name = "rays", .help = "number of rays behind these figures"},
+    ANALYSIS_SPECTRUM_COLUMN,
     TAIL_COLUMNS,
 };
 
@@ -137,10 +139,15 @@ struct wavefront_found {
 };
 
 static bool wavefront_field_open(const struct analysis_cursor *at, const struct analysis_case *one,
-                                 size_t field, struct wavefront_source *source, struct error *error)
+                                 size_t field, bool is_polychromatic,
+                                 struct wavefront_source *source, struct error *error)
 {
     const struct wavefront_input *input = at->input;
     struct arena *arena = one->setup->arena;
+    if (one->setup->wavelength_count > 1 && !is_polychromatic) {
+        return fail(error, ERROR_USAGE,
+                    "{--spectrum}: polynomials and maps are those of one wavelength");
+    }
     struct wavefront_question *made = ARENA_NEW(arena, struct wavefront_question);
     const long rays = input->question.rays;
     *made = (struct wavefront_question){.bundle = analysis_bundle(one, field),
@@ -156,7 +163,8 @@ static bool wavefront_row_find(const struct analysis_cursor *at, const struct an
     const struct wavefront_input *input = at->input;
     struct arena *arena = one->setup->arena;
     struct wavefront_found *found = room;
-    if (!wavefront_field_open(at, one, field, &found->source, error)) {
+    if (!wavefront_field_open(at, one, field, input->zernike == NO_ZERNIKE, &found->source,
+                              error)) {
         return false;
     }
     if (input->zernike == NO_ZERNIKE) {
@@ -266,7 +274,7 @@ static bool wavefront_map_find(const struct analysis_cursor *at, const struct an
     struct wavefront_map_found *found = room;
     struct wavefront_source source;
     found->size = (size_t)input->size;
-    if (!wavefront_field_open(at, one, field, &source, error) ||
+    if (!wavefront_field_open(at, one, field, false, &source, error) ||
         !wavefront_find(&source, true, arena, &found->figures, error)) {
         return false;
     }
@@ -401,6 +409,7 @@ static const struct explanation explanations[] = {
 };
 
 static const struct example examples[] = {
+    {"wavefront double-gauss -N 8 --spectrum photopic", "all colours together"},
     {"wavefront double-gauss -N 5.6", "how good the images of all fields are"},
     {"wavefront double-gauss -N 5.6 --zernike fringe --terms 9 --field 14deg",
      "which aberrations they consist of"},
