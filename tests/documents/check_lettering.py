@@ -76,6 +76,7 @@ lensmaker --r1 20..200:5 --r2 -100 --thickness 5 --index 1.5 --plot {}
 microscope --na 0.1..1.4:0.1 --plot {}
 motion -f 50 -s 5m --speed 1..100kmh#20 --plot {}
 mtf double-gauss -N 5.6 -w d --plot {}
+mtf double-gauss -N 8 -w d --square --plot {}
 mtf double-gauss -N 5.6 -w d --field 0..14#15 --frequency 10,30 --plot {}
 mtf double-gauss -N 5.6 -w d --field 0,7,14 --frequency 30 --defocus -0.1..0.1#21 --plot {}
 optimize edmund-achromat-120 --goals spot --vary R1,R2 --iterations 3 --plot {}
@@ -99,6 +100,8 @@ spot questar-35 --to 2 --plot {}
 spread double-gauss -N 8 --plot {}
 spread double-gauss -N 8 --draw edge --plot {}
 stars -f 14..200#20 -N 2.8 --plot {}
+surfaces double-gauss --plot {}
+surfaces canon-nfd-70-210 --position all --plot {}
 survey Mavic 3 --altitude 50m..200m:10 --plot {}
 tilt -f 24 -N 8 --tilt 1..8 --angle 90deg --plot {}
 tilt -f 150 -N 22 --tilt 5 --angle 90 --sensor 4x5 --wedge {}
