@@ -77,7 +77,8 @@ struct wavefront_fit {
 };
 
 /*
- * The polynomials of the first wavelength that fit best over what is clear of the pupil, whose full radius is 1.
+ * The polynomials of the first wavelength that fit best over what is clear of the pupil, whose full
+ * radius is 1.
  *
  * Formula   weighted least squares by orthogonal factors over a quadrature of at least eight rays a
  *           term; of a whole disc the same as projections
@@ -88,7 +89,8 @@ bool wavefront_fit(const struct wavefront_source *source, enum zernike_kind kind
                    struct arena *arena, struct wavefront_fit *fit, struct error *error);
 
 /*
- * W of the first wavelength on a square grid of the pupil, as points of PATTERN_SQUARE would lie: (2 i + 1 - size)/size.
+ * W of the first wavelength on a square grid of the pupil, as points of PATTERN_SQUARE would lie:
+ * (2 i + 1 - size)/size.
  *
  * Result    size * size values in wavelengths, rows from below; NaN: no ray arrives
  */

@@ -198,7 +198,7 @@ static bool surfaces_run(const void *data, struct run *run, struct error *error)
 
 enum { CURVES_MOST = 7 };
 
-/* Heights of the chief and the marginal ray from surface to surface, a curve a lens and position. */
+/* Heights of the chief and the marginal ray at each surface, a curve a lens and position. */
 struct ybar_drawing {
     struct arena *arena;
     struct plot_series series[CURVES_MOST];
