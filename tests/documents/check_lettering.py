@@ -114,7 +114,7 @@ tone frame-1.png frame-2.png --response debevec --curves {}
 trace double-gauss --no-clip --field 0..14deg:1 --pupil-point 0:0.5 --plot {}
 visual --telescope 1200 --diameter 200 --eyepiece 5..40:1 --plot {}
 wavefront double-gauss -N 5.6 --plot {}
-wavefront questar-35 --field 0 --size 32 --plot {}
+wavefront questar-35 hubble-rc --field 0 --size 32 --plot {}
 """.strip().split("\n")
 
 LONG = ("spot", "mtf -N 8 -w d", "seidel", "fan -w d", "field", "distortion", "color", "pupil",
