@@ -4,7 +4,7 @@
 #include "base/sobol.h"
 #include "check.h"
 #include "light/illuminant.h"
-#include "scene/lights.h"
+#include "light_stage.h"
 #include "scene/sky.h"
 
 enum { POINTS = 1 << 14 };
@@ -17,58 +17,6 @@ static void point(uint32_t i, double u[3])
     for (uint32_t k = 0; k < 3; k++) {
         u[k] = sobol_point(&dimensions[k], sobol_scrambling(7, 0, k), i);
     }
-}
-
-/* -------- scenes of a few lights -------- */
-
-static struct scene_place upright(double x, double y, double z)
-{
-    return (struct scene_place){
-        .at = {x, y, z}, .turned = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, .axis = {0, 1, 0}};
-}
-
-/* Turned so that its z is the scene's y: what lies in x and y of its own lies flat. */
-static struct scene_place lying(double x, double y, double z)
-{
-    struct scene_place place = upright(x, y, z);
-    place.turned = (struct frame){{1, 0, 0}, {0, 0, -1}, {0, 1, 0}};
-    return place;
-}
-
-static struct scene_material lamp_material(double luminance)
-{
-    return (struct scene_material){.kind = MATERIAL_BLACK,
-                                   .colour = {.kind = SPECTRUM_RGB},
-                                   .emission = spectrum_white(),
-                                   .luminance = luminance};
-}
-
-/* A scene with its lights and its world made ready. */
-struct stage {
-    struct arena arena;
-    struct bands bands;
-    struct scene scene;
-    struct scene_material material;
-    struct world world;
-    struct lights lights;
-    struct lanes lanes;
-};
-
-static void stage_open(struct stage *stage, struct scene_thing *things, size_t thing_count,
-                       struct scene_light *lights, size_t light_count)
-{
-    static const double span[2] = {-1, 1};
-    struct error error;
-    *stage = (struct stage){.material = lamp_material(100), .lanes = {3, {0, 1, 2}}};
-    stage->scene = (struct scene){.materials = &stage->material,
-                                  .material_count = 1,
-                                  .things = things,
-                                  .thing_count = thing_count,
-                                  .lights = lights,
-                                  .light_count = light_count};
-    bands_three(&stage->bands);
-    CHECK(world_open(&stage->scene, span, &stage->arena, &stage->world, &error));
-    CHECK(lights_open(&stage->scene, &stage->bands, &stage->arena, &stage->lights, &error));
 }
 
 static double luminance(const struct radiance *light)
@@ -548,54 +496,6 @@ static void test_many(void)
     arena_free(&stage.arena);
 }
 
-/* The chance of all of a kind beside the sun's, from the half of it that is even: of/all. */
-static double part_of(double chance)
-{
-    return (chance - 0.25) / (0.75 - chance);
-}
-
-/*
- * Which of two kinds of light a ray goes to: half of its chance is even, half as the light of each,
- * luminance times solid angle. A sky and the sun, a plane without end and the sun: the chance is
- * the density of a direction away from the sun over that without it.
- */
-static void test_kinds(void)
-{
-    static const double suns[] = {0, 1, 40, 1000, 1e9}, luminances[] = {1, 7, 500};
-    const struct vector from = {0, 0, 0}, aside = {0.6, 0.8, 0};
-    for (size_t i = 0; i < 15; i++) {
-        const double amount = suns[i / 3], luminance = luminances[i % 3];
-        struct scene_light lights[] = {{.kind = LIGHT_SUN,
-                                        .spectrum = spectrum_white(),
-                                        .direction = {0, 1, 0},
-                                        .diameter = 0.01,
-                                        .amount = amount},
-                                       {.kind = LIGHT_SKY,
-                                        .spectrum = spectrum_white(),
-                                        .sky = SKY_UNIFORM,
-                                        .amount = luminance}};
-        struct scene_thing plane = {.shape = SHAPE_PLANE, .where = lying(0, 5, 0)};
-        struct stage stage;
-        stage_open(&stage, NULL, 0, lights, 2);
-        const double sky = lights_pdf(&stage.lights, from, aside, 0, NULL);
-        const double alone = environment_light_pdf(&stage.lights.environments[0], aside);
-        arena_free(&stage.arena);
-        stage_open(&stage, &plane, 1, lights, 1);
-        struct world_hit hit;
-        const struct world_ray ray = {from, aside, 0, (double)INFINITY};
-        CHECK(world_intersect(&stage.world, &ray, &hit));
-        const double flat = lights_pdf(&stage.lights, from, aside, 0, &hit);
-        arena_free(&stage.arena);
-        if (amount == 0) {
-            CHECK_RELATIVE(sky, alone, 1e-12, "a sky alone");
-            CHECK_RELATIVE(flat, 1 / (2 * PI), 1e-12, "a plane alone");
-        } else {
-            CHECK_RELATIVE(part_of(sky / alone), 2 * PI * luminance / amount, 1e-6, "a sky");
-            CHECK_RELATIVE(part_of(flat * 2 * PI), 2 * PI * 100 / amount, 1e-6, "a plane");
-        }
-    }
-}
-
 static void test_dark(void)
 {
     struct scene_light off = {.kind = LIGHT_SUN,
@@ -641,7 +541,6 @@ int main(void)
     test_point();
     test_card();
     test_many();
-    test_kinds();
     test_dark();
     return check_report();
 }
