@@ -86,14 +86,16 @@ static bool svg_all_finite(double a, double b, double c, double d)
     return isfinite(a) && isfinite(b) && isfinite(c) && isfinite(d);
 }
 
-void svg_begin(struct svg *svg, double width, double height, const char *title)
+/* A page of so many user units, whose width and height are written with this unit behind them. */
+static void svg_begin_page(struct svg *svg, double width, double height, double units,
+                           const char *unit, const char *title)
 {
     svg_write(svg,
               "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-              "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"#\" height=\"#\" "
-              "viewBox=\"0 0 # #\" font-family=\"$\" fill=\"none\" "
+              "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"#$\" "
+              "height=\"#$\" viewBox=\"0 0 # #\" font-family=\"$\" fill=\"none\" "
               "stroke-linejoin=\"round\" stroke-linecap=\"round\">\n<title>",
-              width, height, width, height, FONTS);
+              width / units, unit, height / units, unit, width, height, FONTS);
     svg->name = (struct svg_slot){.is_there = true, .start = svg->length};
     if (title) {
         const char *set = typeset(svg->arena, title);
@@ -102,6 +104,16 @@ void svg_begin(struct svg *svg, double width, double height, const char *title)
     svg->name.end = svg->length;
     svg_put(svg, "</title>\n");
     svg_styled_rect(svg, &(struct svg_style){.fill = "#fff"}, 0, 0, width, height);
+}
+
+void svg_begin(struct svg *svg, double width, double height, const char *title)
+{
+    svg_begin_page(svg, width, height, 1, "", title);
+}
+
+void svg_begin_mm(struct svg *svg, double width, double height, double units, const char *title)
+{
+    svg_begin_page(svg, width * units, height * units, units, "mm", title);
 }
 
 void svg_end(struct svg *svg)

@@ -55,6 +55,9 @@ struct svg_label {
 
 /* The head, with the drawing's title (null = none) and a white page. */
 void svg_begin(struct svg *svg, double width, double height, const char *title);
+
+/* The same of a page in millimetres, each of so many units of all other coordinates. */
+void svg_begin_mm(struct svg *svg, double width, double height, double units, const char *title);
 void svg_end(struct svg *svg);
 
 /* Shapes inherit the style of the innermost group; outside of groups they are not drawn. */

@@ -28,7 +28,7 @@ EXTREMES = ("1e308", "1e305", "-1e305", "1e300", "1e155", "1e-155", "1e-305", "-
             "5e-324", "1e305:1e305:1e305", "1e-305:1e-305:1e-305", "1e305x1e305", "1e305mm,1e-305")
 # What takes no number, does the same work in another way, or much of it.
 LEFT_OUT = {"--output", "--columns", "--format", "--table", "--batch", "--batch-format", "--lensdb",
-            "--plot", "--scale", "--threads", "--size", "--samples", "--seconds", "--agf"}
+            "--plot", "--scale", "--disc", "--card", "--threads", "--size", "--samples", "--seconds", "--agf"}
 FORMATS = ("--json", "--csv", "--format=text")
 # Beside the questions of check_options.
 MORE = {

@@ -1,5 +1,6 @@
 /* commands/photo/cmd_dof.c - lenscalc dof: depth of field. */
 /* SPDX-License-Identifier: MIT */
+#include "commands/photo/dof_carry.h"
 #include "commands/photo/dof_question.h"
 #include "commands/tables.h"
 #include "photo/anamorphic.h"
@@ -15,9 +16,11 @@ static const struct option options[] = {
     OPTION_FOCAL_LENGTH(lens.focal, OPTION_SETTING | OPTION_OF_CAMERA),
     PHOTO_LENS_OPTIONS(lens),
     OPTION_APERTURE(lens.fnumber, OPTION_SETTING),
-    OPTION_NA(na, "numerical aperture at the subject, in place of -N",
-              .excludes = "aperture near far dof hyperfocal stack exact scale t-stop close-up tube "
-                          "converter"),
+    OPTION_NA(
+        na, "numerical aperture at the subject, in place of -N",
+        .excludes =
+            "aperture near far dof hyperfocal stack exact scale disc card t-stop close-up tube "
+            "converter"),
     OPTION_DISTANCE(distance, OPTION_SETTING,
                     "distance of the subject; inf for stars, or hyperfocal"),
     SHARPNESS_OPTIONS_OF_LENS(sharp, lens, 0, "d/1500", coc_is_pixels),
@@ -556,15 +559,33 @@ static bool check_scale(const struct artifact_job *job, struct error *error)
            fail(error, ERROR_USAGE, "{--scale} draws what formulas say: it excludes {--exact}");
 }
 
+/* What is printed to be carried is for one kind of distance and says what formulas say. */
+static bool check_carried(const struct artifact_job *job, struct error *error)
+{
+    const struct dof_question *input = job->inputs[0];
+    const char *option = job->artifact->option.name;
+    const char *other = SAID_FIRST({input->lens.rays.exact, "exact"}, {input->stack, "stack"},
+                                   {input->model != DOF_EXACT, "model"});
+    return other == NULL || fail(error, ERROR_USAGE, "{--%s} excludes {--%s}", option, other);
+}
+
 static const struct artifact artifacts[] = {
     {ARTIFACT_OPTION("scale", drawing_types, "draw the depth-of-field scale of the lens barrel"),
      .scope = ARTIFACT_OF_ROW, .check = check_scale, .make = dof_draw_scale},
+    {ARTIFACT_OPTION("disc", drawing_types,
+                     "draw a calculator of two discs to cut out, in true size, for one lens"),
+     .scope = ARTIFACT_OF_SWEEP, .check = check_carried, .make = dof_draw_disc},
+    {ARTIFACT_OPTION("card", drawing_types,
+                     "draw a card, A6, of all lenses, f-numbers and distances that are swept"),
+     .scope = ARTIFACT_OF_SWEEP, .check = check_carried, .make = dof_draw_card},
 };
 
 static const struct example examples[] = {
     {"dof -f 50mm -N 2.8 -s 3m", "a portrait on 35 mm film"},
     {"dof -f 85 -N 1.8 -s 2m --sensor \"Nikon D1\"", "on a camera from the list"},
     {"dof -f 50 -N 2.8..16 -s 1,2,5,10 --table s,N", "a table to print"},
+    {"dof -f 50 -N 8 -s 3 --disc disc.svg", "a calculator disc to cut out"},
+    {"dof -f 24,50,85 -N 2.8,5.6,11 -s 1,2,5 --card card.svg", "a card of three lenses"},
     {"dof -f 35mm --near 2m --far 10m", "which distance and f-number make 2 m to 10 m sharp"},
     {"dof --lens double-gauss -N 4 -s 2m", "a real lens, with distances from the sensor too"},
     {"dof -f 85 -N 1.8 -s 2m --blur-at 10m", "how blurred the background is"},
