@@ -20,7 +20,7 @@ static const double FOOT = 304.8;    /* mm */
 static const char *const RED = "#c0392b", *const DARK = "#1d1d1d", *const GREY = "#777777";
 
 /* Stretches of a circle that numbers take. */
-enum { SPANS = 96 };
+enum { SPANS = 96, ROWS = 3 };
 struct disc_row {
     double from[SPANS], to[SPANS]; /* rad */
     size_t count;
@@ -168,31 +168,38 @@ static void disc_draw_small(const struct disc_page *page)
 /* -------- the large disc -------- */
 
 /* The marks of one f-number, in the row where there is room; else without a number. */
-static void disc_pair(const struct disc_page *page, double N, struct disc_row rows[2],
+static void disc_pair(const struct disc_page *page, double N, struct disc_row rows[ROWS],
                       struct disc_row *ticks)
 {
-    static const double bases[] = {376, 420};
+    static const double bases[ROWS] = {366, 400, 434}, size = 23;
     const struct dof_disc_drawing *disc = page->disc;
     const char *text = disc_number(page->svg->arena, N);
     double near, far;
     dof_turn_limits(disc->f, N, disc->c, disc->P, &near, &far);
     const double at[] = {-page->turn * near, page->turn * far};
     size_t row = 0;
-    for (; row < 2; row++) {
-        const double width = (svg_text_width(text, 26) + 10) / bases[row];
-        const struct disc_row before = rows[row];
-        if (disc_claim(&rows[row], at[0], width) && disc_claim(&rows[row], at[1], width)) {
+    for (; row < ROWS; row++) {
+        const double width = (svg_text_width(text, size) + 8) / bases[row];
+        const struct disc_row before[ROWS] = {rows[0], rows[1], rows[2]};
+        bool room = disc_claim(&rows[row], at[0], width) && disc_claim(&rows[row], at[1], width);
+        /* its ticks pass between the numbers of the rows below */
+        for (size_t k = 0; room && k < 2 * row; k++) {
+            room = disc_claim(&rows[k / 2], at[k % 2], 6 / bases[0]);
+        }
+        if (room) {
             break;
         }
-        rows[row] = before;
+        for (size_t k = 0; k < ROWS; k++) {
+            rows[k] = before[k];
+        }
     }
     for (size_t side = 0; side < 2; side++) {
-        if (row == 2 && !disc_claim(ticks, at[side], 6 / SMALL)) {
+        if (row == ROWS && !disc_claim(ticks, at[side], 6 / SMALL)) {
             continue;
         }
-        disc_tick(page, at[side], SMALL + 2, row == 2 ? SMALL + 24 : bases[row] - 8);
-        if (row < 2) {
-            disc_text(page, at[side], bases[row], 26, DARK, text);
+        disc_tick(page, at[side], SMALL + 2, row == ROWS ? SMALL + 24 : bases[row] - 8);
+        if (row < ROWS) {
+            disc_text(page, at[side], bases[row], size, DARK, text);
             disc_claim(ticks, at[side], 6 / SMALL);
         }
     }
@@ -201,13 +208,14 @@ static void disc_pair(const struct disc_page *page, double N, struct disc_row ro
 static void disc_draw_large(const struct disc_page *page)
 {
     const struct dof_disc_drawing *disc = page->disc;
-    struct disc_row rows[2] = {{.count = 0}, {.count = 0}}, ticks = {.count = 0};
+    struct disc_row rows[ROWS] = {{.count = 0}, {.count = 0}, {.count = 0}}, ticks = {.count = 0};
     disc_outline(page, LARGE);
     svg_styled_circle(page->svg, &(struct svg_style){.stroke = GREY, .width = 1.2, .dash = "8 6"},
                       page->x, MIDDLE_Y, SMALL);
     /* the arrow keeps the numbers off */
     disc_claim(&rows[0], 0, 40 / SMALL);
-    disc_claim(&rows[1], 0, 40 / SMALL);
+    disc_claim(&rows[1], 0, 30 / SMALL);
+    disc_claim(&rows[2], 0, 30 / SMALL);
     svg_group_begin(page->svg, &(struct svg_style){.fill = RED});
     svg_path(page->svg, page->x, MIDDLE_Y - SMALL - 2, "M0 0L16 -34 -16 -34z");
     svg_group_end(page->svg);

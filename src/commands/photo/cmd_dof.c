@@ -552,32 +552,15 @@ static const struct explanation explanations[] = {
     {NULL, NULL, NULL, NULL},
 };
 
-static bool check_scale(const struct artifact_job *job, struct error *error)
-{
-    const struct dof_question *input = job->inputs[0];
-    return !input->lens.rays.exact ||
-           fail(error, ERROR_USAGE, "{--scale} draws what formulas say: it excludes {--exact}");
-}
-
-/* What is printed to be carried is for one kind of distance and says what formulas say. */
-static bool check_carried(const struct artifact_job *job, struct error *error)
-{
-    const struct dof_question *input = job->inputs[0];
-    const char *option = job->artifact->option.name;
-    const char *other = SAID_FIRST({input->lens.rays.exact, "exact"}, {input->stack, "stack"},
-                                   {input->model != DOF_EXACT, "model"});
-    return other == NULL || fail(error, ERROR_USAGE, "{--%s} excludes {--%s}", option, other);
-}
-
 static const struct artifact artifacts[] = {
     {ARTIFACT_OPTION("scale", drawing_types, "draw the depth-of-field scale of the lens barrel"),
-     .scope = ARTIFACT_OF_ROW, .check = check_scale, .make = dof_draw_scale},
+     .scope = ARTIFACT_OF_ROW, .check = dof_check_scale, .make = dof_draw_scale},
     {ARTIFACT_OPTION("disc", drawing_types,
                      "draw a calculator of two discs to cut out, in true size, for one lens"),
-     .scope = ARTIFACT_OF_SWEEP, .check = check_carried, .make = dof_draw_disc},
+     .scope = ARTIFACT_OF_SWEEP, .check = dof_check_carry, .make = dof_draw_disc},
     {ARTIFACT_OPTION("card", drawing_types,
                      "draw a card, A6, of all lenses, f-numbers and distances that are swept"),
-     .scope = ARTIFACT_OF_SWEEP, .check = check_carried, .make = dof_draw_card},
+     .scope = ARTIFACT_OF_SWEEP, .check = dof_check_carry, .make = dof_draw_card},
 };
 
 static const struct example examples[] = {

@@ -38,6 +38,22 @@ static bool dof_carried(const void *question, struct arena *arena, struct carrie
     return true;
 }
 
+bool dof_check_scale(const struct artifact_job *job, struct error *error)
+{
+    const struct dof_question *input = job->inputs[0];
+    return !input->lens.rays.exact ||
+           fail(error, ERROR_USAGE, "{--scale} draws what formulas say: it excludes {--exact}");
+}
+
+bool dof_check_carry(const struct artifact_job *job, struct error *error)
+{
+    const struct dof_question *input = job->inputs[0];
+    const char *option = job->artifact->option.name;
+    const char *other = SAID_FIRST({input->lens.rays.exact, "exact"}, {input->stack, "stack"},
+                                   {input->model != DOF_EXACT, "model"});
+    return other == NULL || fail(error, ERROR_USAGE, "{--%s} excludes {--%s}", option, other);
+}
+
 /* A number's place in a rising list, where it is put if it is new; lists have room. */
 static void list_put(double *list, size_t *count, double value)
 {

@@ -5,6 +5,10 @@
 
 #include "cli/question/artifact.h"
 
+/* What is drawn says what formulas say: checks of artifacts. Errors ERROR_USAGE */
+bool dof_check_scale(const struct artifact_job *job, struct error *error);
+bool dof_check_carry(const struct artifact_job *job, struct error *error);
+
 /*
  * A calculator disc of one lens, with the f-numbers that are swept, else the usual ones.
  *
