@@ -93,7 +93,12 @@ static const char style[] =
     "@media print {\n"
     "body { margin: 0; }\n"
     "h2 { break-after: avoid; }\n"
-    "pre { font-size: 55%; overflow: visible; white-space: pre-wrap; }\n"
+    "main { columns: auto; }\n"
+    "h1 { font-size: 18pt; margin-top: 0; }\n"
+    "figure { margin-bottom: 5mm; }\n"
+    "figure svg { max-height: 80mm; width: auto; }\n"
+    ".pair { gap: 5mm; }\n"
+    "pre { font-size: 7pt; margin: 2mm 0; overflow: visible; white-space: pre-wrap; }\n"
     "}\n";
 
 static void write_figure(const struct page_part *part, size_t number, struct output *output)
