@@ -60,6 +60,11 @@ bool microscope_compute(const struct microscope_setting *s, struct microscope *r
     return true;
 }
 
+double microscope_aperture_for(double distance, double wavelength)
+{
+    return DIFFRACTION_AIRY_RADIUS * (wavelength / 1000) / (2 * distance);
+}
+
 double microscope_magnification(double marked, double tube, double reference)
 {
     return marked * (tube / reference);

@@ -55,6 +55,15 @@ bool microscope_compute(const struct microscope_setting *setting, struct microsc
                         struct error *error);
 
 /*
+ * Numerical aperture that just resolves a distance, by Rayleigh.
+ *
+ * Given     distance  at the specimen, mm, > 0;  wavelength  um, > 0
+ * Formula   1.2196698912665045 l/(2 distance)
+ * Source    as microscope_compute, the condenser's aperture as large
+ */
+double microscope_aperture_for(double distance, double wavelength);
+
+/*
  * Magnification of an objective with a tube lens of another focal length than it is marked for.
  *
  * Given     marked     magnification;  tube  focal length of the tube lens, mm

@@ -82,3 +82,13 @@ csv diffraction --aperture 11in --columns rayleigh,dawes,sparrow
 csv diffraction --diameter 280mm -f 2800mm --columns fnumber,rayleigh
 try diffraction --diameter 280mm -N 10
 csv exposure --metered 30s --film HP5 --columns time_to_set
+# pixels and angles alone, powers alone, a wanted resolution, misspelt cameras
+csv fov --horizontal 90deg --pixels 800x600 --columns fx,vertical,focal
+try fov -f 50mm --pixels 800x600
+csv microscope 10x,40x,60x --pixel 6.5um --columns objective,pixel,rayleigh
+try microscope 40x --pixel 6.5um
+csv microscope --resolution 0.4um --columns na,rayleigh
+try microscope --resolution 0.1um
+try microscope 40x
+try conjugate -f 0.5m -s 1m --then "gap 2m, mirror plane"
+try fov 50mm --sensor "Cannon 5D"

@@ -201,7 +201,7 @@ VALUES = {
     "sensor/render": "4/3", "field-width/render": "0.5mm", "film/render": "HP5 Plus",
     "output/render": "own.pfm", "seed": "7", "readout/render": "1/100", "criterion": "energy80",
     "times": "1/30,1/2", "response/tone": "debevec", "calibrate": "100", "fov": "20deg",
-    "fx": "6000", "subject-size": "1m", "lenses": "10cm,2cm,20cm", "medium": "1.33",
+    "fx": "6000", "resolution": "0.5um", "subject-size": "1m", "lenses": "10cm,2cm,20cm", "medium": "1.33",
     "operator": "filmic", "ceiling/tone": "human", "white/tone": "0.01", "gamma": "1.8",
     "display": "5,80", "scale/tone": "1,1000", "curves": "curves.csv",
 }

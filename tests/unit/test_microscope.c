@@ -105,8 +105,16 @@ static void test_refusals(void)
     CHECK(!microscope_compute(&s, &found, &error));
 }
 
+/* The other way round: 0.61 l/NA of textbooks, and microscope_compute. */
+static void test_aperture_for(void)
+{
+    CHECK_NEAR(microscope_aperture_for(0.516e-3, 0.55), 0.65, 1e-3, "0.61 x 0.55/0.65 is 0.516 um");
+    CHECK_NEAR(microscope_aperture_for(0.218e-3, 0.5), 1.4, 2e-3, "0.61 x 0.5/1.4 is 0.218 um");
+}
+
 int main(void)
 {
+    test_aperture_for();
     test_resolution();
     test_depth();
     test_sampling();

@@ -31,6 +31,11 @@ struct ideal_element {
 static bool then_fail(struct text item, struct error *error)
 {
     fail(error, ERROR_USAGE, "'%.*s' is neither a gap nor a lens", text_shown(item), item.start);
+    if (text_contains_name(item, text_of("mirror"))) {
+        return error_hint(error,
+                          "the light passes the lens twice: a plane mirror 2 m behind a lens "
+                          "of 50 cm is \"gap 4m, f 50cm\"");
+    }
     return error_hint(error, "write gaps and focal lengths in turn: \"gap 14cm, f -9.5cm\"");
 }
 

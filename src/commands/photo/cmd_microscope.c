@@ -23,7 +23,7 @@ enum { MEDIUM_AUTO, MEDIUM_AIR, MEDIUM_OIL = 4 };
 
 struct microscope_input {
     struct marking_value objective, eyepiece;
-    double magnification, na, index, condenser, wavelength;
+    double magnification, na, resolution, index, condenser, wavelength;
     int immersion;
     double field_number, tube, marked_tube, adapter, pitch;
     struct sensor_value sensor;
@@ -40,6 +40,9 @@ static const struct option options[] = {
     {MEASURE(na, number, NULL, "NA"), REPEATED("na"), .quantity = "numerical aperture", ABOVE_0,
      .usual = {0, 1.7}, .unusual = "numerical apertures are below 1.7",
      .help = "its numerical aperture, in place of --objective"},
+    {MEASURE(resolution, length, "um", "LENGTH"), REPEATED("resolution"), ABOVE_0,
+     .excludes = "objective na condenser",
+     .help = "wanted Rayleigh limit at the specimen: solves for the numerical aperture"},
     {ASKED(immersion), REPEATED("immersion"), .words = media, .fallback = "auto",
      .excludes = "index", .value = "MEDIUM", .help = "what lies between objective and specimen"},
     {MEASURE(index, number, NULL, "INDEX"), REPEATED("index"), .lowest = 1, .highest = 5,
@@ -91,17 +94,17 @@ static const struct column columns[] = {
      .label = "numerical aperture", .help = "of the objective"},
     {LENGTH(focal, "mm"), .name = "focal", WITH("tube-lens"), .symbol = "fo",
      .label = "focal length of the objective", .help = "that of the tube lens over the power"},
-    {MICROMETRES(rayleigh), .name = "rayleigh", BRIEF, .symbol = "ra", .label = "Rayleigh limit",
-     .help = "two points this far apart are just resolved"},
-    {MICROMETRES(abbe), .name = "abbe", BRIEF, .symbol = "ab", .label = "Abbe limit",
-     .help = "finest grating that is resolved"},
-    {MICROMETRES(sparrow), .name = "sparrow", .symbol = "sp", .label = "Sparrow limit",
-     .help = "two points without a dip between them"},
+    {MICROMETRES(rayleigh), .name = "rayleigh", BRIEF | COLUMN_SPARSE, .symbol = "ra",
+     .label = "Rayleigh limit", .help = "two points this far apart are just resolved"},
+    {MICROMETRES(abbe), .name = "abbe", BRIEF | COLUMN_SPARSE, .symbol = "ab",
+     .label = "Abbe limit", .help = "finest grating that is resolved"},
+    {MICROMETRES(sparrow), .name = "sparrow", .flags = COLUMN_SPARSE, .symbol = "sp",
+     .label = "Sparrow limit", .help = "two points without a dip between them"},
     {SHOWN(found.working_fnumber), .name = "working_fnumber", KNOWN, .symbol = "Nw",
      .label = "working f-number", .help = "of the beam behind the tube lens"},
-    {SHOWN(found.lowest_power), .name = "lowest_power", .symbol = "Ml",
+    {SHOWN(found.lowest_power), .name = "lowest_power", .flags = COLUMN_SPARSE, .symbol = "Ml",
      .label = "lowest useful power", .help = "500 NA"},
-    {SHOWN(found.highest_power), .name = "highest_power", .symbol = "Mh",
+    {SHOWN(found.highest_power), .name = "highest_power", .flags = COLUMN_SPARSE, .symbol = "Mh",
      .label = "highest useful power", .help = "1000 NA; more is empty magnification"},
     {SHOWN(found.power), .name = "power", WITH_EYEPIECE | COLUMN_BRIEF, .symbol = "Mt",
      .label = "total magnification", .help = "to the eye"},
@@ -205,7 +208,12 @@ static bool microscope_find_objective(const struct microscope_input *input,
     const bool is_marked = input->objective.name != NULL;
     double marked = is_marked ? input->objective.power : input->magnification;
     row->setting.na = is_marked ? input->objective.number : input->na;
-    if (!is_given(row->setting.na)) {
+    if (is_given(input->resolution)) {
+        row->setting.na = microscope_aperture_for(input->resolution, 1000 * input->wavelength);
+    }
+    const bool has_more = is_given(row->setting.pitch) || is_given(row->setting.eyepiece) ||
+                          is_given(row->setting.field_number) || input->sensor.name != NULL;
+    if (!is_given(row->setting.na) && !(is_given(marked) && has_more)) {
         return fail(error, ERROR_USAGE,
                     "give the numerical aperture: {--objective} 40x/0.65, or {--na}");
     }
@@ -217,6 +225,17 @@ static bool microscope_find_objective(const struct microscope_input *input,
         is_given(input->tube) ? microscope_magnification(marked, input->tube, row->marked_tube)
                               : marked;
     return true;
+}
+
+/* What magnifications alone say: the field and the pixels on it. */
+static void microscope_forget_aperture(struct microscope_row *row)
+{
+    struct microscope *found = &row->found;
+    found->abbe = found->rayleigh = found->sparrow = found->working_fnumber = NAN;
+    found->exit_pupil = found->lowest_power = found->highest_power = found->eye_depth = NAN;
+    found->nyquist_pitch = found->pixels_per_abbe = found->camera_depth = NAN;
+    row->setting.na = row->setting.index = NAN;
+    row->medium = NULL;
 }
 
 static bool microscope_run(const void *data, struct run *run, struct error *error)
@@ -238,9 +257,19 @@ static bool microscope_run(const void *data, struct run *run, struct error *erro
         .wavelength = input->wavelength,
     };
     if (!microscope_find_objective(input, &row, error) ||
-        !microscope_find_medium(input, &row, error) ||
-        !microscope_compute(&row.setting, &row.found, error)) {
+        !microscope_find_medium(input, &row, error)) {
         return false;
+    }
+    const bool has_aperture = is_given(row.setting.na);
+    if (!has_aperture) {
+        row.setting.na = 0.1; /* any: nothing that follows from it is kept */
+    }
+    if (!microscope_compute(&row.setting, &row.found, error)) {
+        return false;
+    }
+    if (!has_aperture) {
+        microscope_forget_aperture(&row);
+        warnings_add(run->doubts, "no numerical aperture: what is resolved is not known");
     }
     row.field_width =
         has_sensor ? sensor->size.width / row.found.camera_magnification : (double)NAN;

@@ -12,6 +12,14 @@ bool fov_take_pixels(struct fov_input *input, struct error *error)
     const struct pixels_value *pixels = &input->pixels;
     const bool is_counted = !isnan(pixels->wide), is_sensor = !input->sensor.is_fallback;
     double pitch = input->pitch;
+    const bool is_angle =
+        !isnan(input->horizontal) || !isnan(input->vertical) || !isnan(input->diagonal);
+    if (isnan(input->fx) && isnan(pitch) && !is_sensor && is_angle && !isnan(pixels->high) &&
+        photo_lens_is_thin(&input->lens) && isnan(input->lens.focal.length)) {
+        input->is_bare = true; /* an angle and pixels: fx is what there is to know */
+        input->pitch = ANY_PITCH;
+        return true;
+    }
     /* rows of other commands bring both, which then say the same */
     if (isnan(input->fx) || !isnan(input->lens.focal.length)) {
         return true;
