@@ -30,3 +30,8 @@ printf "$telescope" | lenscalc wavefront - --size 8 --columns field --csv --plot
 lenscalc wavefront double-gauss -N 5.6 --field 14 --fringes --size 32 --plot fringes.svg > rows && grep -o '>[^<>]*</text>' fringes.svg | sed 's/^>//; s/<.*//' | grep -v '^[−0-9.]*$'
 lenscalc wavefront double-gauss -N 5.6 --field 14 --fringes --size 32 --map fringes.pfm
 lenscalc wavefront double-gauss -N 5.6 --field 14 --fringes
+# curves of the RMS
+for swept in '--field 0..14:7 --spectrum d,F' '--field 0,14 -N 5.6,8 --defocus -0.1..0.1#5' '-w 450..650:50 -N 8'; do
+    lenscalc wavefront double-gauss $swept --curve curve.svg > rows && grep -o '>[^<>]*</text>' curve.svg | sed 's/^>//; s/<.*//' | grep -v '^[−0-9.]*$'
+done
+lenscalc wavefront double-gauss -N 8 --field 0..14:7 --defocus -0.1..0.1#40 -w 400..700:10 --columns field --curve many.svg > rows; test -e many.svg || echo none

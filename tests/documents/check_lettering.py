@@ -114,6 +114,8 @@ tone frame-1.png frame-2.png --response debevec --curves {}
 trace double-gauss --no-clip --field 0..14deg:1 --pupil-point 0:0.5 --plot {}
 visual --telescope 1200 --diameter 200 --eyepiece 5..40:1 --plot {}
 wavefront double-gauss -N 5.6 --plot {}
+wavefront double-gauss -N 8 --field 0..14:1 --curve {}
+wavefront double-gauss -N 5.6,8 --field 0,14 --defocus -0.1..0.1#11 --curve {}
 wavefront questar-35 hubble-rc --field 0 --size 32 --plot {}
 """.strip().split("\n")
 

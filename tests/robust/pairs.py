@@ -171,7 +171,7 @@ VALUES = {
     "pupil-y": "0.5", "point": "0:6:-20", "direction": "0:0.1:1", "x": "1mm", "y": "2mm",
     "z": "-20mm", "cos-x": "0.1", "cos-y": "0.1", "cos-z": "0.9", "side": "exit", "outline": "5",
     "title": "Other", "form": "waves", "chromatic": "lens", "spectrum": "d:1,F:0.5",
-    "reference": "centroid", "reference/spot": "chief", "weight": "beam", "error": "1e-9", "error/mtf": "1e-7", "error/illumination": "1e-9", "map": "map.pfm", "glass": "N-SF6", "zernike": "noll", "terms": "5",
+    "reference": "centroid", "reference/spot": "chief", "weight": "beam", "error": "1e-9", "error/mtf": "1e-7", "error/illumination": "1e-9", "map": "map.pfm", "curve": "curve.svg", "glass": "N-SF6", "zernike": "noll", "terms": "5",
     "show/fan": "opd", "show/color": "zone", "pitch-angle": "0.1mrad", "fit": "brown",
     "grid": "grid.svg", "plot": "plot.svg", "air": "ciddor", "nd": "1.52", "vd": "60", "pgf": "0.5355..0.55",
     "catalog": "OHARA", "status": "obsolete", "like": "N-SF6", "count": "3", "label": "N-BK7",

@@ -2,9 +2,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "analysis/waves/wavefront.h"
 #include "commands/analysis/analysis_map.h"
+#include "draw/plot.h"
 #include "draw/ticks.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 struct wavefront_input {
@@ -384,7 +386,163 @@ static bool wavefront_makes_many(const void *data)
     return (input->zernike != NO_ZERNIKE && input->terms > 1) || analysis_several(input);
 }
 
+/* -------- curves of the RMS -------- */
+
+enum { CURVES_MOST = 14 };
+enum rms_axis { RMS_BY_FIELD, RMS_BY_FOCUS, RMS_BY_WAVELENGTH };
+
+/* A point of the drawing, on one of its curves. */
+struct rms_point {
+    size_t curve;
+    double x, rms;
+};
+
+struct rms_drawing {
+    struct arena *arena;
+    enum rms_axis axis;
+    unsigned hidden;                 /* parts of its case that curves differ in */
+    const char *labels[CURVES_MOST]; /* of the curves, in the order they come */
+    size_t curve_count, count, room;
+    struct rms_point *points;
+    const char *lens, *words, *field;
+};
+
+/* How many values something has among the inputs of a job. */
+static size_t rms_values_of(const struct artifact_job *job, size_t offset)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < job->count; i++) {
+        const char *value = (const char *)job->inputs[i] + offset;
+        size_t k = 0;
+        while (k < i && memcmp(value, (const char *)job->inputs[k] + offset, sizeof(double)) != 0) {
+            k++;
+        }
+        count += k == i;
+    }
+    return count;
+}
+
+static int rms_point_order(const void *first, const void *second)
+{
+    const struct rms_point *a = first, *b = second;
+    const int by_curve = (a->curve > b->curve) - (a->curve < b->curve);
+    return by_curve != 0 ? by_curve : (a->x > b->x) - (a->x < b->x);
+}
+
+static bool rms_find(const struct analysis_cursor *at, const struct analysis_case *one,
+                     size_t field, void *found, struct error *error)
+{
+    struct wavefront_source source;
+    return wavefront_field_open(at, one, field, true, &source, error) &&
+           wavefront_find(&source, false, one->setup->arena, found, error);
+}
+
+static bool rms_drawing_add(struct rms_drawing *drawing, const struct analysis_cursor *at,
+                            struct error *error)
+{
+    const struct analysis_point point = analysis_point_of(at->one, at->field);
+    struct analysis_question question = *at->one->question;
+    struct analysis_case named = *at->one;
+    double x = isnan(point.field) ? point.height : point.field * DEGREES_PER_RADIAN;
+    named.question = &question;
+    if (drawing->axis == RMS_BY_FOCUS) {
+        question.defocus = NAN;
+        x = point.defocus;
+    } else if (drawing->axis == RMS_BY_WAVELENGTH) {
+        question.wavelength.name = NULL;
+        x = 1000 * at->one->setup->wavelengths[0].wavelength;
+    }
+    const char *label = drawing->axis == RMS_BY_FIELD
+                            ? analysis_case_words(&named, drawing->arena)
+                            : analysis_field_words(&named, at->field, true, drawing->arena);
+    label = label != NULL ? label : "";
+    size_t curve = 0;
+    while (curve < drawing->curve_count && strcmp(label, drawing->labels[curve]) != 0) {
+        curve++;
+    }
+    if (curve == CURVES_MOST) {
+        return fail(error, ERROR_USAGE, "{--curve} would draw more than %d curves", CURVES_MOST);
+    }
+    drawing->labels[curve] = label;
+    drawing->curve_count += curve == drawing->curve_count;
+    drawing->points = arena_grow(drawing->arena, drawing->points, drawing->count, &drawing->room,
+                                 sizeof *drawing->points);
+    drawing->points[drawing->count++] =
+        (struct rms_point){curve, x, ((const struct wavefront *)at->found)->rms};
+    drawing->field = isnan(point.field) ? "field (mm)" : "field (\xc2\xb0)";
+    drawing->lens = at->one->setup->lens->title;
+    drawing->words = analysis_figure_words(at->one, FIGURE_ALL & ~drawing->hidden, drawing->arena);
+    return true;
+}
+
+static bool rms_curves_draw(const struct rms_drawing *drawing, struct svg *svg, struct error *error)
+{
+    const char *const axes[] = {drawing->field, "defocus (mm)", "wavelength (nm)"};
+    struct plot_series series[CURVES_MOST] = {{0}};
+    double *x = ARENA_ARRAY(svg->arena, 2 * drawing->count, double), *y = x + drawing->count;
+    qsort(drawing->points, drawing->count, sizeof *drawing->points, rms_point_order);
+    for (size_t i = 0; i < drawing->count; i++) {
+        const struct rms_point *point = &drawing->points[i];
+        struct plot_series *one = &series[point->curve];
+        x[i] = point->x;
+        y[i] = point->rms;
+        if (one->count++ == 0) {
+            one->label = drawing->curve_count > 1 ? drawing->labels[point->curve] : NULL;
+            one->x = &x[i];
+            one->y = &y[i];
+            one->style = point->curve;
+        }
+    }
+    const struct plot plot = {.title =
+                                  arena_printf(svg->arena, "RMS wave front of %s", drawing->lens),
+                              .subtitle = drawing->words,
+                              .x_label = axes[drawing->axis],
+                              .y_label = "RMS (waves)",
+                              .series = series,
+                              .series_count = drawing->curve_count};
+    return plot_draw(&plot, svg, error);
+}
+
+static bool wavefront_curves(const struct artifact_job *job, struct output *sink,
+                             struct error *error)
+{
+    struct svg svg = {.arena = job->run->arena};
+    struct rms_drawing drawing = {.arena = svg.arena, .hidden = FIGURE_DEFOCUS};
+    const size_t focus = rms_values_of(job, offsetof(struct wavefront_input, question.defocus));
+    const size_t waves =
+        rms_values_of(job, offsetof(struct wavefront_input, question.wavelength.wavelength));
+    const size_t fields = rms_values_of(job, offsetof(struct wavefront_input, question.field));
+    if (focus > 1 && focus >= waves && focus >= fields) {
+        drawing.axis = RMS_BY_FOCUS;
+    } else if (waves > 1 && waves >= fields) {
+        drawing.axis = RMS_BY_WAVELENGTH;
+    }
+    const size_t fnumbers = rms_values_of(job, offsetof(struct wavefront_input, question.fnumber));
+    drawing.hidden |= (waves > 1) * (unsigned)FIGURE_WAVELENGTHS;
+    drawing.hidden |= (fnumbers > 1) * (unsigned)FIGURE_APERTURE;
+    for (size_t i = 0; i < job->count; i++) {
+        struct analysis_cursor at = analysis_begin_finding(job->inputs[i], &policy, job->run,
+                                                           rms_find, sizeof(struct wavefront));
+        at.keeps_lost = true;
+        while (analysis_next(&at, error)) {
+            if (at.lost == NULL && !rms_drawing_add(&drawing, &at, error)) {
+                return false;
+            }
+        }
+        if (error->code != ERROR_NONE) {
+            return false;
+        }
+    }
+    if (drawing.count == 0) {
+        return fail(error, ERROR_DOMAIN, "there is no wave front to draw");
+    }
+    return rms_curves_draw(&drawing, &svg, error) && drawing_write(job, &svg, sink, error);
+}
+
 static const struct artifact artifacts[] = {
+    {ARTIFACT_OPTION("curve", drawing_types,
+                     "draw the RMS against what is swept most finely: field, focus or wavelength"),
+     .scope = ARTIFACT_OF_SWEEP, .needs_no_rows = true, .make = wavefront_curves},
     {ARTIFACT_OPTION("plot", drawing_types, "draw the wave fronts over the pupil, by field"),
      .scope = ARTIFACT_OF_SWEEP, .needs_no_rows = true, .make = wavefront_maps},
     {ARTIFACT_OPTION("map", map_types,
@@ -414,6 +572,7 @@ static const struct example examples[] = {
     {"wavefront double-gauss -N 5.6 --zernike fringe --terms 9 --field 14deg",
      "which aberrations they consist of"},
     {"wavefront double-gauss -N 4 --fringes --plot fringes.svg", "interferograms of all fields"},
+    {"wavefront double-gauss -N 8 --field 0..14:0.5 --curve rms.svg", "the RMS over the field"},
     {"wavefront questar-35 --plot wavefronts.svg", "a telescope with its obstruction, drawn"},
     {"wavefront double-gauss --field 0deg --map wavefront.pfm --size 256",
      "the numbers for another program"},
