@@ -196,7 +196,21 @@ static double share_beyond(const struct image *image, const double range[2])
 
 /* -------- a scale -------- */
 
-enum { CHANNELS = 3, LETTERS = 8, HEIGHT_OF_SIZE = 240, LEAST_LINES = 4, BAR = 6, GAP = 3 };
+enum { CHANNELS = 3, LEAST_HEIGHT = 20 };
+
+/* A digit, of the picture's height; px that can be read, and the most of a low picture that these
+   may take. In digits' heights: the parts of the scale. */
+static const double DIGIT = 0.032, DIGIT_LEGIBLE = 9, DIGIT_MOST = 0.22;
+static const double BESIDE = 0.8, BAR = 1.5, BEFORE_MARKS = 0.7, TICK = 0.35, BEHIND = 0.6;
+static const double UNIT_LINE = 1.5, TOP = 2.7, BOTTOM = 1.1, APART = 1.7;
+
+/* The scale beside a picture. */
+struct tone_scale {
+    const double *range; /* cd/m^2 */
+    double digit;        /* height of a digit, px */
+    double top, bottom;  /* of its bar, px */
+    double left, right;
+};
 
 /* The colour of a place on the scale. */
 static void put_colour(double share, float *pixel)
@@ -213,42 +227,85 @@ static double scale_share(double luminance, const double range[2])
     return luminance > 0 ? log(luminance / range[0]) / log(range[1] / range[0]) : 0;
 }
 
-/* Beside each whole decade, and at the ends where none is near, its luminance. */
-static void write_marks(struct image *picture, size_t left, size_t size, const double range[2],
-                        struct arena *arena)
+static double scale_place(const struct tone_scale *scale, double luminance)
 {
-    const double high = (double)picture->height, tall = (double)(LETTERING_HIGH * size);
-    const double top = 2 * tall, bottom = high - tall;
+    return scale->bottom - scale_share(luminance, scale->range) * (scale->bottom - scale->top);
+}
+
+/*
+ * A mark: mark 0 is the lower end, mark 1 the upper one, and others whole decades.
+ *
+ * Result    its luminance; NaN: no such mark, or another one is too near
+ */
+static double scale_mark(const struct tone_scale *scale, int mark)
+{
+    const double *range = scale->range;
     const int first = (int)ceil(log10(range[0]) - 1e-9), last = (int)floor(log10(range[1]) + 1e-9);
-    lettering_write(picture, left, size, size, "cd/m2");
-    for (int decade = first - 1; decade <= last + 1; decade++) {
-        const bool is_end = decade < first || decade > last;
-        const double end = decade < first ? range[0] : range[1];
-        const double luminance = is_end ? end : pow(10, decade);
-        const double y = bottom - scale_share(luminance, range) * (bottom - top);
-        const double other = decade < first ? pow(10, first) : pow(10, last);
-        const double away = fabs(scale_share(luminance, range) - scale_share(other, range));
-        if (!is_end || first > last || away * (bottom - top) > 1.5 * tall) {
-            lettering_write(picture, left, (size_t)(y - tall / 2), size,
-                            arena_printf(arena, "%.6g", luminance));
+    const double least = APART * scale->digit;
+    const double decade = scale_place(scale, 1) - scale_place(scale, 10);
+    const int step = (int)fmax(1, ceil(least / decade));
+    if (mark > 1) {
+        const int at = first + (mark - 2) * step;
+        return at <= last ? pow(10, at) : (double)NAN;
+    }
+    const int nearest = mark == 0 ? first : first + (last - first) / step * step;
+    const double away =
+        first > last ? INFINITY
+                     : fabs(scale_place(scale, pow(10, nearest)) - scale_place(scale, range[mark]));
+    return away > least ? range[mark] : (double)NAN;
+}
+
+enum { MARKS_MOST = 700 }; /* decades that a double has */
+
+static const char *mark_words(double luminance, struct arena *arena)
+{
+    return arena_printf(arena, "%.6g", luminance);
+}
+
+/* How wide the scale of a picture is, px. */
+static double scale_width(const struct tone_scale *scale, struct arena *arena)
+{
+    double widest = lettering_width("cd/m²", scale->digit);
+    for (int mark = 0; mark < MARKS_MOST; mark++) {
+        const double luminance = scale_mark(scale, mark);
+        if (!isnan(luminance)) {
+            widest = fmax(widest, lettering_width(mark_words(luminance, arena), scale->digit));
+        } else if (mark > 1) {
+            break;
         }
     }
+    return ceil((BESIDE + BAR + BEFORE_MARKS + BEHIND) * scale->digit + widest);
 }
 
 /* The bar beside the picture: its lower end is the lowest luminance. */
-static void draw_colour_scale(struct image *picture, size_t from, size_t size,
-                              const double range[2], struct arena *arena)
+static void draw_colour_scale(struct image *picture, const struct tone_scale *scale,
+                              struct arena *arena)
 {
-    const double tall = (double)(LETTERING_HIGH * size);
-    const double top = 2 * tall, bottom = (double)picture->height - tall;
-    const size_t left = from + GAP * size, right = left + BAR * size;
-    for (size_t y = (size_t)top; (double)y < bottom; y++) {
-        const double share = (bottom - (double)y - 0.5) / (bottom - top);
-        for (size_t x = left; x < right; x++) {
+    const double digit = scale->digit, words = scale->right + BEFORE_MARKS * digit;
+    for (size_t y = (size_t)scale->top; (double)y < scale->bottom; y++) {
+        const double share = (scale->bottom - (double)y - 0.5) / (scale->bottom - scale->top);
+        for (size_t x = (size_t)scale->left; (double)x < scale->right; x++) {
             put_colour(share, image_row(picture, y) + CHANNELS * x);
         }
     }
-    write_marks(picture, right + size, size, range, arena);
+    lettering_write(picture, words, UNIT_LINE * digit, digit, "cd/m²");
+    for (int mark = 0; mark < MARKS_MOST; mark++) {
+        const double luminance = scale_mark(scale, mark);
+        if (isnan(luminance)) {
+            if (mark > 1) {
+                break;
+            }
+            continue;
+        }
+        const double y = scale_place(scale, luminance);
+        const size_t line = (size_t)fmin(fmax(y, 0), (double)picture->height - 1);
+        for (size_t x = (size_t)scale->right; (double)x < scale->right + TICK * digit; x++) {
+            for (size_t k = 0; k < CHANNELS; k++) {
+                image_row(picture, line)[CHANNELS * x + k] = 1;
+            }
+        }
+        lettering_write(picture, words, y + digit / 2, digit, mark_words(luminance, arena));
+    }
 }
 
 /*
@@ -260,10 +317,17 @@ static void draw_colour_scale(struct image *picture, size_t from, size_t size,
 static bool tone_falsecolor(const struct image *light, const double range[2], struct arena *arena,
                             struct image *picture, struct error *error)
 {
-    const size_t size = light->height / HEIGHT_OF_SIZE + 1;
-    const bool has_scale = light->height >= LEAST_LINES * LETTERING_HIGH;
+    const double high = (double)light->height, legible = fmin(DIGIT_LEGIBLE, DIGIT_MOST * high);
+    const double digit = fmax(legible, round(DIGIT * high));
+    struct tone_scale scale = {.range = range,
+                               .digit = digit,
+                               .top = round(TOP * digit),
+                               .bottom = round(high - BOTTOM * digit)};
+    const bool has_scale = light->height >= LEAST_HEIGHT;
+    scale.left = (double)light->width + round(BESIDE * digit);
+    scale.right = scale.left + round(BAR * digit);
     *picture = *light;
-    picture->width += has_scale ? size * (GAP + BAR + 1 + LETTERS * LETTERING_STEP) : 0;
+    picture->width += has_scale ? (size_t)scale_width(&scale, arena) : 0;
     if (!image_new(picture, arena, error)) {
         return false;
     }
@@ -276,7 +340,7 @@ static bool tone_falsecolor(const struct image *light, const double range[2], st
         }
     }
     if (has_scale) {
-        draw_colour_scale(picture, light->width, size, range, arena);
+        draw_colour_scale(picture, &scale, arena);
     }
     return true;
 }
