@@ -83,6 +83,27 @@ static void test_response(void)
     CHECK(response_open(&table, &arena, &traits, &error) && traits->reference == 0);
     table.rows = 3; /* up to 549 nm */
     CHECK(!response_open(&table, &arena, &traits, &error) && error.code == ERROR_DOMAIN);
+    CHECK_TEXT(error.message, "the response does not reach 611 nm");
+    static const struct {
+        double nm[2], efficiency[2];
+        const char *message; /* null: none */
+    } rows[] = {
+        {{0.464, 0.611}, {0, 1}, NULL},
+        {{0.465, 0.7}, {0, 1}, "the response does not reach 464 nm"},
+        {{0.464, 0.6105}, {0, 1}, "the response does not reach 611 nm"},
+        {{0.7, 0.4}, {0, 1}, "the wavelengths of a response must rise: 400 nm"},
+        {{0.4, 0.4}, {0, 1}, "the wavelengths of a response must rise: 400 nm"},
+        {{0.4, 0.7}, {0, 1.001}, "the efficiency 1.001 of 'R' at 700 nm is not from 0 to 1"},
+        {{0.4, 0.7}, {-0.001, 1}, "the efficiency -0.001 of 'R' at 400 nm is not from 0 to 1"},
+        {{0.4, 0.7}, {0, 0}, "'R' of the response sees nothing of 611, 549 and 464 nm"},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        const struct response_table two = {1, 2, rows[i].nm, {rows[i].efficiency}, {"R"}};
+        CHECK(response_open(&two, &arena, &traits, &error) == (rows[i].message == NULL));
+        if (rows[i].message != NULL) {
+            CHECK_TEXT(error.message, rows[i].message);
+        }
+    }
 }
 
 int main(void)

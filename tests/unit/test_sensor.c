@@ -271,6 +271,22 @@ static void test_demosaic(void)
         }
         CHECK(right == W * H * 3);
     }
+    /* the least there can be has one red, two green and one blue */
+    static const size_t sizes[][3] = {{2, 2, 1}, {3, 2, 1}, {2, 3, 1}, {1, 2, 0}, {2, 1, 0}};
+    const struct sensor_place place = {0, 0, 100};
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+        float values[] = {1, 2, 4, 8, 16, 32};
+        const struct image raw = {
+            .width = sizes[i][0], .height = sizes[i][1], .channels = 1, .pixels = values};
+        struct image full;
+        CHECK(demosaic_bilinear(&raw, MOSAIC_RGGB, &place, arena, &full, &error) ==
+              (sizes[i][2] > 0));
+        if (i == 0) {
+            const float expected[] = {1, 3, 8, 1, 2, 8, 1, 4, 8, 1, 3, 8};
+            CHECK(memcmp(full.pixels, expected, sizeof expected) == 0);
+        }
+    }
+    CHECK_TEXT(error.message, "a mosaic has one channel and 2 x 2 pixels at least, not 1 of 2 x 1");
 }
 
 static void refused(struct image_sensor sensor, struct sensor_setting setting, const char *word)
