@@ -178,6 +178,36 @@ static void test_align_grey(void)
     }
 }
 
+/*
+ * Light has 48 shades an octave: beside a median of 1 what is 5 shades brighter shows a shift, and
+ * what is a little less than that does not.
+ */
+static void test_align_octaves(void)
+{
+    static const double shades[] = {5.05, 4.95, -4.05, -3.95};
+    uint8_t kinds[SMALL][SMALL + 1];
+    for (int i = 0; i < SMALL * (SMALL + 1); i++) {
+        kinds[i / (SMALL + 1)][i % (SMALL + 1)] = (uint8_t)random_below(5);
+    }
+    for (int s = 0; s < 4; s++) {
+        static float light[2][3 * SMALL_PIXELS];
+        const float other = s < 2 ? 0.5F : 2, value = (float)exp2(shades[s] / 48);
+        struct tone_frame frames[2];
+        struct align_step steps[2];
+        for (int f = 0; f < 2; f++) {
+            for (int i = 0; i < 3 * SMALL_PIXELS; i++) {
+                const int kind = kinds[i / 3 / SMALL][i / 3 % SMALL + f];
+                const float clear = kind < 2 ? value : other;
+                light[f][i] = kind < 4 ? clear : 1;
+            }
+            frames[f] = (struct tone_frame){
+                .name = "x", .width = SMALL, .height = SMALL, .values = light[f], .time = 1};
+        }
+        align_frames(frames, 2, steps);
+        CHECK(steps[1].is_beyond == (s % 2 == 0));
+    }
+}
+
 /* The first of seven quantiles that is neither black nor white: each where no other one is. */
 static void test_align_quantiles(void)
 {
@@ -336,6 +366,7 @@ int main(void)
     test_align_rounds();
     test_align_far();
     test_align_grey();
+    test_align_octaves();
     test_align_quantiles();
     test_align_seen();
     test_align_taken();

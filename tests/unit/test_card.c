@@ -158,10 +158,39 @@ static void test_places(void)
     }
 }
 
+/* Of a picture so many pixels are compared at most; where they lie in it does not matter. */
+static void test_large(void)
+{
+    enum { WIDE = 400 };
+    static float pixels[WIDE * WIDE];
+    const struct image image = {.width = WIDE, .height = WIDE, .channels = 1, .pixels = pixels};
+    const struct card card = {.picture = &image, .width = WIDE, .height = WIDE};
+    for (int i = 0; i < WIDE * WIDE; i++) {
+        pixels[i] = 0.25F;
+    }
+    static const struct {
+        double middle[2], half;
+        bool is_even;
+    } parts[] = {{{0, 0}, 126, true},     {{0, 0}, 130, false},    {{180, 180}, 10, true},
+                 {{-180, 180}, 10, true}, {{180, -180}, 10, true}, {{-180, -180}, 10, true},
+                 {{70, 70}, 126, true},   {{-70, -70}, 126, true}, {{70, 70}, 129, false},
+                 {{-70, -70}, 129, false}};
+    for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) {
+        struct card_part part;
+        struct card_light light;
+        for (int k = 0; k < 2; k++) {
+            part.low[k] = parts[i].middle[k] - parts[i].half;
+            part.high[k] = parts[i].middle[k] + parts[i].half;
+        }
+        CHECK(card_is_even(&card, &part, &light) == parts[i].is_even);
+    }
+}
+
 int main(void)
 {
     test_charts();
     test_pictures();
     test_places();
+    test_large();
     return check_report();
 }

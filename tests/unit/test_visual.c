@@ -125,6 +125,13 @@ static void test_light(void)
     CHECK_NEAR(light.matched, 60 * 70 / 138.37, 1e-3, "the power at which all of it is used");
     CHECK(!visual_gather(&s, &eye, 0.6, 0.55, &light, &error));
     CHECK(strstr(error.message, "shades all") != NULL);
+    /* each number that cannot be, by itself */
+    CHECK(!visual_gather(&s, &(struct visual_eye){.pupil = -1}, 0, 0.55, &light, &error));
+    CHECK(strstr(error.message, "pupil of the eye") != NULL);
+    CHECK(!visual_gather(&s, &eye, -0.1, 0.55, &light, &error));
+    CHECK(strstr(error.message, "obstruction") != NULL);
+    CHECK(!visual_gather(&s, &eye, 1.1, 0.55, &light, &error));
+    CHECK(!visual_gather(&s, &eye, 0, -0.55, &light, &error));
     s = visual_of(NAN, 50, NAN, NAN);
     s.power = 10;
     CHECK(visual_solve(&s, &error));
