@@ -293,13 +293,18 @@ static void draw_band(struct svg *svg, const struct plot *plot, const struct plo
     }
 }
 
-/* An arrow at the edge that says where a curve goes; one where several would lie together. */
-static void draw_arrow(struct svg *svg, struct plot_frame *frame, double x, bool up,
+/*
+ * An arrow at the edge that says where a curve goes, or comes from, with words beside it, where the
+ * curve is not; one where several would lie together.
+ */
+static void draw_arrow(struct svg *svg, struct plot_frame *frame, double x, bool up, bool leaves,
                        const char *text)
 {
+    const double size = strstr(text, "∞") == NULL ? NUMBER_SIZE : 16;
+    const double width = svg_text_width(text, size);
     const double at = up ? x : x + 2 * PLOT_WIDTH; /* those of one edge */
     for (size_t i = 0; i < frame->arrow_count; i++) {
-        if (fabs(frame->arrow_x[i] - at) < 12 + 3.6 * (double)strlen(text)) {
+        if (fabs(frame->arrow_x[i] - at) < 4 + width) {
             return;
         }
     }
@@ -309,9 +314,8 @@ static void draw_arrow(struct svg *svg, struct plot_frame *frame, double x, bool
     frame->arrow_x[frame->arrow_count++] = at;
     svg_path(svg, x, up ? frame->y.stop : frame->y.start,
              up ? "M-4.5 0L0 -9 4.5 0z" : "M-4.5 -9L0 0 4.5 -9z");
-    const bool is_number = strstr(text, "∞") == NULL;
-    const double size = is_number ? NUMBER_SIZE : 16, width = svg_text_width(text, size);
-    const double beside = x + 8 + width > frame->x.stop ? x - 8 - width : x + 8;
+    const bool has_right = x + 8 + width<frame->x.stop, has_left = x - 8 - width> frame->x.start;
+    const double beside = has_right && (leaves || !has_left) ? x + 8 : x - 8 - width;
     const double above = fmax(frame->x.start, fmin(x - width / 2, PLOT_WIDTH - width - 4));
     svg_words(svg, up ? above : beside, up ? frame->y.stop - 12 : frame->y.start - 5, size,
               SVG_START, NULL, text);
@@ -329,24 +333,21 @@ static const char *arrow_words(const struct plot *plot, const struct plot_axis *
     const size_t count = plot_series_count(plot, series);
     const bool up = plot_y_at(plot, series, from) > axis->high;
     double most = up ? axis->high : axis->low;
-    bool is_sample = false;
-    for (size_t i = from; i < count; i += onwards ? 1 : (size_t)-1) {
+    size_t last = from;
+    bool is_sample = false, is_infinite = false;
+    for (size_t i = from; i < count && !is_infinite; i += onwards ? 1 : (size_t)-1) {
         const double v = plot_y_at(plot, series, i);
-        if (!(up ? v > axis->high : v < axis->low)) {
+        const enum plot_place place = plot_place_at(series, i);
+        is_infinite = isinf(v) || (isnan(v) && place == PLOT_BEYOND); /* or at a pole */
+        if (is_infinite || !(up ? v > axis->high : v < axis->low)) {
             break;
         }
-        is_sample = is_sample || plot_place_at(series, i) == PLOT_SAMPLE;
+        is_sample = is_sample || place == PLOT_SAMPLE;
         most = fabs(v) > fabs(most) ? v : most;
-        *asymptote = isfinite(v) ? i : *asymptote;
-        if (isinf(v)) {
-            break;
-        }
+        last = i;
     }
-    const double beyond = fabs(most - (up ? axis->high : axis->low));
-    if (!(beyond < 300 * (axis->high - axis->low)) && !axis->log) {
-        return up ? "∞" : "−∞";
-    }
-    if (isinf(most)) {
+    if (is_infinite) {
+        *asymptote = isfinite(plot_y_at(plot, series, last)) ? last : *asymptote;
         return up ? "∞" : "−∞";
     }
     const double rounded = strtod(arena_printf(arena, "%.3g", most), NULL);
@@ -389,7 +390,7 @@ static void draw_arrows(struct svg *svg, const struct plot *plot, struct plot_fr
             x += (edge - at) / (plot_page_at(axis, out) - at) * (then - x);
         }
         if (text != NULL) {
-            draw_arrow(svg, frame, x, up, text);
+            draw_arrow(svg, frame, x, up, leaves, text);
         }
     }
 }
