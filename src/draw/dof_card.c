@@ -106,7 +106,7 @@ bool dof_card_draw(const struct dof_card *card, struct svg *svg, struct error *e
     }
     svg_begin_mm(svg, DOF_CARD_WIDTH, DOF_CARD_HEIGHT, UNITS, card->title);
     svg_heading(svg, MARGIN, 76, 42, RIGHT - MARGIN, card->title);
-    svg_words_within(svg, MARGIN, 116, 25, RIGHT - MARGIN, "#444444", card->subtitle);
+    svg_subheading(svg, MARGIN, 116, 25, RIGHT - MARGIN, card->subtitle);
     svg_words(svg, MARGIN + 8, 166, size, SVG_START, "#444444", "focus, m");
     for (size_t j = 0; j < card->fnumber_count; j++) {
         svg_text(svg,

@@ -254,6 +254,7 @@ bool dof_disc_draw(const struct dof_disc_drawing *disc, struct svg *svg, struct 
     }
     svg_begin_mm(svg, DOF_DISC_WIDTH, DOF_DISC_HEIGHT, UNITS, disc->title);
     svg_heading(svg, 60, 80, 44, 1780, disc->title);
+    svg_subheading(svg, 60, 118, 27, 1780, NULL);
     page.x = LARGE_X;
     disc_draw_large(&page);
     page.x = SMALL_X;

@@ -309,12 +309,14 @@ static struct svg_slot svg_slot_text(struct svg *svg, const struct svg_label *la
 
 void svg_title(struct svg *svg, const struct svg_label *label, const char *text)
 {
-    svg->title = svg_slot_text(svg, label, text);
+    const struct svg_slot slot = svg_slot_text(svg, label, text);
+    svg->title = svg->title.is_there ? svg->title : slot;
 }
 
 void svg_subtitle(struct svg *svg, const struct svg_label *label, const char *text)
 {
-    svg->subtitle = svg_slot_text(svg, label, text);
+    const struct svg_slot slot = svg_slot_text(svg, label, text);
+    svg->subtitle = svg->subtitle.is_there ? svg->subtitle : slot;
 }
 
 void svg_words(struct svg *svg, double x, double y, double size, enum svg_anchor anchor,

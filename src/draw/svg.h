@@ -91,7 +91,7 @@ void svg_image(struct svg *svg, double x, double y, double width, double height,
  */
 void svg_text(struct svg *svg, const struct svg_label *label, const char *text);
 
-/* The same of the picture's title and subtitle; a null text is an empty one. */
+/* The same of the picture's title and subtitle, as the first are; a null text is an empty one. */
 void svg_title(struct svg *svg, const struct svg_label *label, const char *text);
 void svg_subtitle(struct svg *svg, const struct svg_label *label, const char *text);
 

@@ -40,6 +40,8 @@ dof -f 50mm -N 2.8..16 -s 3m --plot {}
 dof --lens double-gauss-50 -N 4,8 -s 0.5..20#30 --plot {}
 dof -f 50mm -N 5.6 -s 3m --scale {}
 dof -f 24mm -N 11 -s 1m --scale {}
+dof -f 24,50,85 -N 2.8,5.6,11 -s 1,2,5 --card {}
+dof -f 50mm -N 5.6 -s 3m --disc {}
 draw double-gauss -o {}
 draw fisheye-16 -o {}
 draw canon-nfd-70-210 --position all -o {}
