@@ -25,3 +25,12 @@ lenscalc draw canon-rf50-f18 | grep -o 'axial beam is cut by the clear aperture 
 lenscalc trace canon-rf50-f18 --field 0 --pupil-point 0:0.9958,0:0.9959 -w d --csv --columns status,surface
 # a table of the elements; fields that the lens does not state
 lenscalc draw ./one.lens --list | grep -o '>[^<]*</text>'
+# an element for the shop: what the file states, dashes for the rest
+lenscalc convert double-gauss > shop.lens
+printf 'tolerance R1..R11 0.1%%\ntolerance t4 0.02mm\ntolerance n4 0.0005\n' >> shop.lens
+printf 'tolerance surface 4..5 irregularity 0.5fringes\ntolerance element 4..5 wedge 1arcmin\n' >> shop.lens
+lenscalc draw ./shop.lens --element 3 --iso10110 | grep -o '^<svg[^>]*viewBox="[^"]*"\|>[^<]*</text>'
+lenscalc draw phone-80deg --element 5 --iso10110 | grep -o '>[^<]*A[0-9]* = [^<]*</text>'
+lenscalc draw double-gauss --element 7 --iso10110
+lenscalc draw double-gauss --element 2
+lenscalc draw double-gauss --iso10110 --element 2 --list

@@ -208,7 +208,7 @@ VALUES = {
 # options of speed, form and files, which change no answer; of form is the stop series whose labels
 # stand beside exact values; positions and sections are of few lenses, and what is no option but
 # stands by itself is in the questions
-FORM = {"threads", "position", "section", "scale", "disc", "card", "list", "wedge", "save", "output", "series", "focus-by",
+FORM = {"threads", "position", "section", "scale", "disc", "card", "list", "element", "iso10110", "wedge", "save", "output", "series", "focus-by",
         "seconds", "resume", "report", "state", "shell", "words", "subject", "frames", "parts", "files", "topic"}
 # command (None: any), option, what it says nothing beside (None: anything), and why that is right
 EXEMPT = (

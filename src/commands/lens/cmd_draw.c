@@ -7,7 +7,8 @@
 
 struct draw_input {
     struct lens_question question;
-    bool planes, construction, no_rays, list;
+    bool planes, construction, no_rays, list, iso10110;
+    long element; /* from 1; NO_INTEGER = not asked for */
     const char *title;
 };
 
@@ -25,6 +26,11 @@ static const struct option options[] = {
      .help = "the three Gauss rays of the equivalent lens in place of the bundles"},
     {ASKED(no_rays), .name = "no-rays", .excludes = "field field-x", .help = "the lens alone"},
     {ASKED(list), .name = "list", .help = "add a table of the elements"},
+    {ASKED(element), .name = "element", .wants = "iso10110", .lowest = 1, .highest = 10000,
+     .value = "N", .help = "the element to draw by itself, as numbered in the section"},
+    {ASKED(iso10110), .name = "iso10110", .wants = "element",
+     .excludes = "planes construction no-rays list",
+     .help = "a drawing of one element for the shop, in the tabular form of ISO 10110"},
     {ASKED(title), .name = "title", .value = "TEXT", .help = "title in place of the lens's own"},
 };
 
@@ -146,7 +152,10 @@ static bool draw_draw(const struct artifact_job *job, struct output *sink, struc
     if (input->list) {
         section.list = draw_elements_table(&layouts[0]);
     }
-    return section_draw(&section, &svg, error) && drawing_write(job, &svg, sink, error);
+    const bool drawn = input->iso10110
+                           ? draw_element_sheet(&layouts[0], input->element, &svg, error)
+                           : section_draw(&section, &svg, error);
+    return drawn && drawing_write(job, &svg, sink, error);
 }
 
 static const struct artifact artifacts[] = {
@@ -160,6 +169,7 @@ static const struct example examples[] = {
     {"draw nikkor-z-14-24 --position tele", "a zoom in one of its positions"},
     {"draw nikkor-z-14-24 --position all", "in all of them, one under the other"},
     {"draw double-gauss --list", "with a table of its elements"},
+    {"draw double-gauss --element 3 --iso10110", "one of them for the shop"},
     {NULL, NULL},
 };
 

@@ -3,7 +3,10 @@
 #include "commands/lens/draw_elements.h"
 
 #include "base/arena.h"
+#include "base/constants.h"
+#include "draw/element_sheet.h"
 #include "optics/lensmaker.h"
+#include "optics/tolerance.h"
 #include "optics/wavelength.h"
 
 #include <math.h>
@@ -94,4 +97,208 @@ struct section_table draw_elements_table(const struct layout *layout)
         row[9] = cell_text(element.focal, 5, arena);
     }
     return (struct section_table){COLUMNS, layout->element_count, heads, cells};
+}
+
+/* -------- for the shop -------- */
+
+static const char *const NOT_STATED = "\u2013";
+
+/* What the file allows of a surface, or of the glass behind it; of several lines the last. */
+static const struct lens_tolerance *element_tolerance(const struct lens *lens,
+                                                      enum tolerance_kind kind, size_t surface)
+{
+    const struct lens_tolerance *found = NULL;
+    for (size_t i = 0; i < lens->tolerance_count; i++) {
+        const struct lens_tolerance *one = &lens->tolerances[i];
+        const size_t first = kind == TOLERANCE_WEDGE && !one->is_range ? one->last : one->first;
+        if (one->kind == kind && first <= surface && surface <= one->last) {
+            found = one;
+        }
+    }
+    return found;
+}
+
+/* An amount behind plus and minus; empty where there is none, or where it is in fringes. */
+static const char *element_allowed(const struct lens *lens, enum tolerance_kind kind,
+                                   size_t surface, struct arena *arena)
+{
+    const struct lens_tolerance *one = element_tolerance(lens, kind, surface);
+    if (one == NULL || one->unit == TOLERANCE_FRINGES) {
+        return "";
+    }
+    return arena_printf(arena, " \u00b1 %.4g%s", one->amount.value.hi,
+                        one->unit == TOLERANCE_PERCENT ? " %" : "");
+}
+
+/* 3/A(B): sagitta error and irregularity in fringes of 546.07 nm; a dash where it is not stated. */
+static const char *element_form(const struct lens *lens, size_t surface, struct arena *arena)
+{
+    const struct lens_tolerance *power = element_tolerance(lens, TOLERANCE_RADIUS, surface);
+    const struct lens_tolerance *irregular =
+        element_tolerance(lens, TOLERANCE_IRREGULARITY, surface);
+    const bool has_power = power != NULL && power->unit == TOLERANCE_FRINGES;
+    const char *A = has_power ? arena_printf(arena, "%.3g", power->amount.value.hi) : NOT_STATED;
+    if (irregular == NULL) {
+        return arena_printf(arena, "3/ %s", A);
+    }
+    const double fringes = irregular->unit == TOLERANCE_FRINGES
+                               ? irregular->amount.value.hi
+                               : irregular->amount.value.hi / TOLERANCE_FRINGE_MM;
+    return arena_printf(arena, "3/ %s(%.3g)", A, fringes);
+}
+
+static const char *element_centring(const struct lens *lens, size_t surface, struct arena *arena)
+{
+    const struct lens_tolerance *tilt = element_tolerance(lens, TOLERANCE_TILT, surface);
+    const struct lens_tolerance *wedge = element_tolerance(lens, TOLERANCE_WEDGE, surface);
+    if (tilt != NULL) {
+        return arena_printf(arena, "4/ %.3g'", tilt->amount.value.hi * DEGREES_PER_RADIAN * 60);
+    }
+    if (wedge != NULL && wedge->unit == TOLERANCE_ANGLE) {
+        return arena_printf(arena, "4/ %.3g'", wedge->amount.value.hi * DEGREES_PER_RADIAN * 60);
+    }
+    return wedge != NULL ? arena_printf(arena, "4/ runout %.3g mm", wedge->amount.value.hi)
+                         : arena_printf(arena, "4/ %s", NOT_STATED);
+}
+
+static void element_surface_lines(const struct layout *layout, const struct draw_element *element,
+                                  size_t i, size_t side, const char **lines)
+{
+    struct arena *arena = layout->arena;
+    const struct lens *lens = layout->setup->lens;
+    const double R = element->radius[side];
+    const bool convex = side == 0 ? R > 0 : R < 0;
+    const bool is_stated = lens->surfaces[i + side].has_diameter;
+    const char *diameter =
+        arena_printf(arena, is_stated ? "%.5g" : "(%.5g)", element->diameter[side]);
+    const char *kind = convex ? "CX" : "CC";
+    lines[0] = isinf(R) ? "R \u221e"
+                        : arena_printf(arena, "R %.7g %s%s", fabs(R), kind,
+                                       element_allowed(lens, TOLERANCE_RADIUS, i + side, arena));
+    lines[1] = arena_printf(arena, "\u00d8e %s", diameter);
+    lines[2] = arena_printf(arena, "Prot. chamfer %s", NOT_STATED);
+    lines[3] = arena_printf(arena, "Coating %s", NOT_STATED);
+    lines[4] = element_form(lens, i + side, arena);
+    lines[5] = element_centring(lens, i + side, arena);
+    lines[6] = arena_printf(arena, "5/ %s", NOT_STATED);
+    lines[7] = arena_printf(arena, "6/ %s    texture %s", NOT_STATED, NOT_STATED);
+}
+
+static void element_material_lines(const struct layout *layout, const struct draw_element *element,
+                                   size_t number, const char **lines)
+{
+    struct arena *arena = layout->arena;
+    const struct lens *lens = layout->setup->lens;
+    const size_t i = layout->elements[number].surface;
+    const double V = draw_element_dispersion(&element->front->medium, WAVELENGTH_E,
+                                             WAVELENGTH_F_PRIME, WAVELENGTH_C_PRIME);
+    struct pair n;
+    struct error none;
+    lines[0] = layout->glasses[layout->elements[number].glass];
+    lines[1] = medium_index(&element->front->medium, WAVELENGTH_E, &n, &none)
+                   ? arena_printf(arena, "n(546.07 nm) %.5f%s", n.hi,
+                                  element_allowed(lens, TOLERANCE_INDEX, i, arena))
+                   : arena_printf(arena, "n(546.07 nm) %s", NOT_STATED);
+    lines[2] = arena_printf(arena, "\u03bd(546.07 nm) %s%s", cell_text(V, 4, arena),
+                            element_allowed(lens, TOLERANCE_ABBE, i, arena));
+    lines[3] = arena_printf(arena, "0/ %s", NOT_STATED);
+    lines[4] = arena_printf(arena, "1/ %s", NOT_STATED);
+    lines[5] = arena_printf(arena, "2/ %s", NOT_STATED);
+    lines[6] = lines[7] = NULL;
+}
+
+/* Up the left surface, along the rim, down the right one, with flats out to the larger of them. */
+static void element_outline(const struct layout *layout, const struct draw_element *element,
+                            struct element_sheet *sheet)
+{
+    enum { SAMPLES = 64 };
+    double *z = ARENA_ARRAY(layout->arena, 2 * (SAMPLES + 3), double);
+    double *y = ARENA_ARRAY(layout->arena, 2 * (SAMPLES + 3), double);
+    const struct surface *surfaces[] = {element->front, element->back};
+    const double r = fmax(element->diameter[0], element->diameter[1]) / 2;
+    for (size_t side = 0; side < 2; side++) {
+        const double semi = element->diameter[side] / 2, up = side == 0 ? 1 : -1;
+        sheet->vertex[side] = side == 0 ? 0 : element->thickness;
+        for (int k = -1; k <= SAMPLES + 1; k++) {
+            const double h = up * semi * fmin(fmax(2.0 * k / SAMPLES - 1, -1), 1);
+            const bool flat = k < 0 || k > SAMPLES;
+            z[sheet->count] = sheet->vertex[side] + surface_sag(surfaces[side], h);
+            y[sheet->count++] = flat ? copysign(r, h) : h;
+        }
+        sheet->edge[side] = sheet->vertex[side] + surface_sag(surfaces[side], semi);
+    }
+    sheet->z = z;
+    sheet->y = y;
+    sheet->diameter = 2 * r;
+}
+
+/* Conic and coefficients, which the table has no place for, in as many lines as they take. */
+static size_t element_asphere(const struct surface *surface, const char *name, struct arena *arena,
+                              const char **lines)
+{
+    enum { FIRST = 4, MORE = 6 }; /* coefficients in a line */
+    size_t count = 0, room = FIRST;
+    if (surface->coefficients == 0 && !(fabs(surface->conic.value.hi) > 0)) {
+        return 0;
+    }
+    lines[count++] =
+        arena_printf(arena, "%s surface aspheric: k = %.7g", name, surface->conic.value.hi);
+    for (int i = 0; i < LENS_COEFFICIENTS; i++) {
+        if ((surface->coefficients >> i & 1) == 0) {
+            continue;
+        }
+        if (room == 0) {
+            lines[count++] = "";
+            room = MORE;
+        }
+        const char *line = lines[count - 1];
+        lines[count - 1] = arena_printf(arena, "%s%sA%d = %.7g", line, line[0] != '\0' ? ", " : "",
+                                        surface_order(i), surface->coefficient[i].value.hi);
+        room--;
+    }
+    return count;
+}
+
+bool draw_element_sheet(const struct layout *layout, long number, struct svg *svg,
+                        struct error *error)
+{
+    struct arena *arena = layout->arena;
+    const struct lens *lens = layout->setup->lens;
+    if (!(number >= 1 && (size_t)number <= layout->element_count)) {
+        return fail(error, ERROR_USAGE, "{--element} %ld: the lens has elements 1 to %zu", number,
+                    layout->element_count);
+    }
+    const size_t k = (size_t)number - 1, i = layout->elements[k].surface;
+    const struct draw_element element = draw_element_of(layout, k);
+    if (!surface_is_round(element.front) || !surface_is_round(element.back) ||
+        layout->direction[i + 1] < 0) {
+        return fail(error, ERROR_DOMAIN,
+                    "{--iso10110} draws round elements that light passes from the left: not %ld",
+                    number);
+    }
+    const char *notes[2 + 2 * LENS_COEFFICIENTS];
+    struct element_sheet sheet = {
+        .title = lens->title,
+        .part = arena_printf(arena, "element %ld of %zu, surfaces %zu and %zu", number,
+                             layout->element_count, i + 1, i + 2),
+        .thickness = arena_printf(arena, "%.6g%s", element.thickness,
+                                  element_allowed(lens, TOLERANCE_THICKNESS, i, arena)),
+        .across =
+            arena_printf(arena, "\u00d8 %.5g", fmax(element.diameter[0], element.diameter[1])),
+        .notes = notes,
+    };
+    element_outline(layout, &element, &sheet);
+    element_surface_lines(layout, &element, i, 0, sheet.left);
+    element_material_lines(layout, &element, k, sheet.material);
+    element_surface_lines(layout, &element, i, 1, sheet.right);
+    notes[sheet.note_count++] =
+        "Dimensions in mm. \u2013: not stated in the lens file. \u00d8 as "
+        "drawn: the larger clear diameter, without an allowance for mounting.";
+    if (!element.front->has_diameter || !element.back->has_diameter) {
+        notes[sheet.note_count++] = "Diameters in parentheses follow from rays.";
+    }
+    sheet.note_count += element_asphere(element.front, "left", arena, &notes[sheet.note_count]);
+    sheet.note_count += element_asphere(element.back, "right", arena, &notes[sheet.note_count]);
+    element_sheet_draw(&sheet, svg);
+    return true;
 }

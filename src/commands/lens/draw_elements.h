@@ -9,4 +9,13 @@
 /* Its elements as a table. */
 struct section_table draw_elements_table(const struct layout *layout);
 
+/*
+ * One of them as a drawing for the shop: what the file states of it, a dash for what it does not.
+ *
+ * Given     number  from 1
+ * Errors    ERROR_USAGE: no such element
+ */
+bool draw_element_sheet(const struct layout *layout, long number, struct svg *svg,
+                        struct error *error);
+
 #endif
