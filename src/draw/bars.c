@@ -66,6 +66,88 @@ static void draw_group(const struct bars *bars, size_t g, const struct bars_page
     }
 }
 
+static void bars_draw_words(const struct bars *bars, double width, double top, double bottom,
+                            struct svg *svg)
+{
+    const double room = width - LEFT - 12;
+    svg_heading(svg, LEFT, 30, TITLE_SIZE, room, bars->title);
+    svg_subheading(svg, LEFT, 50, LABEL_SIZE, room, bars->subtitle);
+    svg_words(svg, (LEFT + width - RIGHT) / 2, bottom + 48, LABEL_SIZE, SVG_MIDDLE, NULL,
+              bars->x_label);
+    svg_words_upwards(svg, 22, (top + bottom) / 2, LABEL_SIZE, bars->y_label);
+}
+
+/* -------- each kind at its own scale -------- */
+
+static const double STRIP = 66, STRIP_GAP = 28; /* px: of a kind, and to the next */
+
+/* The strip of a kind: bars about a line at 0, and lines at a round number on both sides. */
+static void bars_draw_strip(const struct bars *bars, size_t kind, const struct bars_page *page,
+                            double top, struct svg *svg)
+{
+    const double bottom = top + STRIP, right = page->width - RIGHT;
+    struct plot_axis axis = {.start = bottom, .stop = top};
+    for (size_t g = 0; g < bars->group_count; g++) {
+        const double value = bars->groups[g].values[kind]; /* of NaN fmin and fmax take the other */
+        axis.low = fmin(axis.low, value);
+        axis.high = fmax(axis.high, value);
+    }
+    const double most = fmax(axis.high, -axis.low), round = most > 0 ? ticks_round_below(most) : 1;
+    const double room = 0.04 * (axis.high - axis.low);
+    axis.low = axis.low < 0 || !(most > 0) ? axis.low - room : 0;
+    axis.high = axis.high > 0 ? axis.high + room : 0;
+    axis.high = most > 0 ? axis.high : 1;
+    for (int side = -1; side <= 1; side++) {
+        const double value = side * round, y = plot_page_at(&axis, value);
+        if (value >= axis.low && value <= axis.high && (side == 0 || most > 0)) {
+            svg_styled_line(svg, &(struct svg_style){.stroke = side == 0 ? "#333" : "#d4d4d4"},
+                            LEFT, y, right, y);
+            const char *digits = side == 0 ? "0" : ticks_fixed(svg->arena, value, 0);
+            svg_words(svg, LEFT - 9, y + 4, NUMBER_SIZE, SVG_END, NULL, digits);
+        }
+    }
+    const double bar = fmin(WIDEST_BAR, 0.6 * page->pitch), zero = plot_page_at(&axis, 0);
+    for (size_t g = 0; g < bars->group_count; g++) {
+        const double y = plot_page_at(&axis, bars->groups[g].values[kind]);
+        svg_styled_rect(svg, &(struct svg_style){.fill = palette_colour(kind)},
+                        LEFT + ((double)g + 0.5) * page->pitch - bar / 2, fmin(y, zero), bar,
+                        fabs(y - zero));
+    }
+    svg_styled_line(svg, &(struct svg_style){.stroke = "#333"}, LEFT, top, LEFT, bottom);
+    svg_words(svg, LEFT + 4, top - 6, NUMBER_SIZE, SVG_START, NULL, bars->kinds[kind]);
+}
+
+static void bars_draw_strips(const struct bars *bars, struct bars_page *page, struct svg *svg)
+{
+    const double top = LEGEND_TOP + 14, step = STRIP + STRIP_GAP;
+    const double bottom = top + step * (double)bars->kind_count - STRIP_GAP;
+    const double widest = 60; /* groups */
+    page->width = fmax(NARROWEST, LEFT + RIGHT + (double)bars->group_count * 14);
+    page->pitch = fmin((page->width - LEFT - RIGHT) / (double)bars->group_count, widest);
+    page->width = fmax(page->pitch * (double)bars->group_count + LEFT + RIGHT, 640);
+    svg_begin(svg, page->width, bottom + BELOW, bars->title);
+    for (size_t g = 0; g < bars->group_count; g++) {
+        const double left = LEFT + (double)g * page->pitch;
+        if (bars->groups[g].apart) {
+            svg_styled_rect(svg, &(struct svg_style){.fill = "#f0f0f0"}, left, top - 4, page->pitch,
+                            bottom - top + 8);
+        }
+        if (bars->groups[g].label != NULL) {
+            svg_text(svg,
+                     &(struct svg_label){.x = left + page->pitch / 2,
+                                         .y = bottom + 20,
+                                         .size = NUMBER_SIZE,
+                                         .anchor = SVG_MIDDLE,
+                                         .bold = bars->groups[g].apart},
+                     bars->groups[g].label);
+        }
+    }
+    for (size_t k = 0; k < bars->kind_count; k++) {
+        bars_draw_strip(bars, k, page, top + step * (double)k, svg);
+    }
+    bars_draw_words(bars, page->width, top, bottom, svg);
+}
+
 bool bars_draw(const struct bars *bars, struct svg *svg, struct error *error)
 {
     enum { MOST_GROUPS = 200 };
@@ -92,6 +174,11 @@ bool bars_draw(const struct bars *bars, struct svg *svg, struct error *error)
     }
     if (!any || !(fmax(y_axis->high, -y_axis->low) <= longest)) {
         return fail(error, ERROR_DOMAIN, "no bar has a length that can be drawn");
+    }
+    if (bars->own_scales) {
+        bars_draw_strips(bars, &page, svg);
+        svg_end(svg);
+        return true;
     }
     page.pitch = (page.width - LEFT - RIGHT) / count;
     page.bar = fmin(WIDEST_BAR, (page.pitch - GAP) / kinds);
@@ -123,12 +210,7 @@ bool bars_draw(const struct bars *bars, struct svg *svg, struct error *error)
     svg_line(svg, LEFT, top, LEFT, bottom);
     svg_group_end(svg);
     bars_draw_legend(bars, page.width, svg);
-    const double room = page.width - LEFT - 12;
-    svg_heading(svg, LEFT, 30, TITLE_SIZE, room, bars->title);
-    svg_subheading(svg, LEFT, 50, LABEL_SIZE, room, bars->subtitle);
-    svg_words(svg, (LEFT + page.width - RIGHT) / 2, bottom + 48, LABEL_SIZE, SVG_MIDDLE, NULL,
-              bars->x_label);
-    svg_words_upwards(svg, 22, (top + bottom) / 2, LABEL_SIZE, bars->y_label);
+    bars_draw_words(bars, page.width, top, bottom, svg);
     svg_end(svg);
     return true;
 }

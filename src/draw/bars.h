@@ -20,6 +20,7 @@ struct bars {
     const char *title, *subtitle;  /* null = none */
     const char *x_label, *y_label; /* with units; null = none */
     const char *const *kinds;      /* the legend: one colour a kind, at most seven */
+    bool own_scales;               /* each kind in a strip of its own, at its own scale */
     size_t kind_count;
     const struct bar_group *groups;
     size_t group_count;

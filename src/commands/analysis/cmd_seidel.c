@@ -5,6 +5,7 @@
 #include "optics/seidel.h"
 #include "optics/wavelength.h"
 
+#include <math.h>
 #include <string.h>
 
 /* --form */
@@ -347,6 +348,7 @@ static const char *const names[][SEIDEL_TERMS] = {
 };
 
 static const double THOUSAND = 1000;
+static const double DROWNS = 5; /* sums that differ more have scales of their own */
 
 static const char *seidel_view_subtitle_of(const struct seidel_case *one, struct arena *arena)
 {
@@ -377,6 +379,21 @@ static bool seidel_view_check(const struct artifact_job *job, struct error *erro
     const struct seidel_input *input = job->inputs[0];
     return !lens_positions_several(input->question.lens.lens, input->question.position) ||
            fail(error, ERROR_USAGE, "{--plot} shows one position: name it with {--position}");
+}
+
+/* Is one sum so much larger than another that this would not be seen beside it? */
+static bool seidel_one_drowns(double *const *values, size_t count)
+{
+    double least = INFINITY, most = 0;
+    for (size_t k = 0; k < SEIDEL_TERMS; k++) {
+        double kind = 0; /* of NaN fmax takes the other */
+        for (size_t i = 0; i < count; i++) {
+            kind = fmax(kind, fabs(values[i][k]));
+        }
+        least = kind > 0 ? fmin(least, kind) : least;
+        most = fmax(most, kind);
+    }
+    return most > DROWNS * least;
 }
 
 static bool seidel_draw(const struct artifact_job *job, struct output *sink, struct error *error)
@@ -417,6 +434,7 @@ static bool seidel_draw(const struct artifact_job *job, struct output *sink, str
     const char *length = small ? "\xc2\xb5m" : "mm", *unit = waves ? "waves" : length;
     unit = angular ? "mrad" : unit;
     const struct bars bars = (struct bars){
+        .own_scales = seidel_one_drowns(values, count + 1),
         .title = arena_printf(svg.arena, "%s of %s", what[input->form], one.setup->lens->title),
         .subtitle = seidel_view_subtitle_of(&one, svg.arena),
         .x_label = "surface",
