@@ -61,3 +61,8 @@ lenscalc distortion double-gauss --aspect 3:2 --columns field,distortion,tv_smia
 lenscalc distortion fisheye-16 --field 40,60deg --aspect 1,1.5 --projection equidistant --json --digits 4 --columns field,aspect,tv_smia,tv
 lenscalc distortion double-gauss --aspect 0
 lenscalc distortion double-gauss --aspect 3:2 --fit brown
+# a fisheye is compared with its own projection, a wide rectilinear lens with that
+for lens in fisheye-16 minolta-fisheye-1 canon-retrofocus-14 double-gauss; do
+    lenscalc distortion $lens --csv --digits 3 --columns field,distortion,projection 2>/dev/null | tail -1
+done
+lenscalc distortion fisheye-16 --projection rectilinear --csv --digits 3 --columns field,distortion,projection | tail -1

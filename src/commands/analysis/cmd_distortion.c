@@ -135,7 +135,8 @@ static bool distortion_view_add_curve(struct distortion_view_curves *curves,
     /* of several lenses or projections the curves name themselves */
     const char *which = isnan(ready.calibrated) ? "paraxial" : "calibrated";
     if (curves->count == 1) {
-        curves->subtitle = ideal_words(&ready, curves->arena);
+        curves->subtitle = ARENA_JOIN(curves->arena, ideal_words(&ready, curves->arena), "; ",
+                                      analysis_figure_words(one, FIGURE_PLANE, curves->arena));
     } else if (curves->input->projection > 0) {
         curves->subtitle =
             arena_printf(curves->arena, "against ideal images of the %s focal length", which);
@@ -182,7 +183,8 @@ static bool distortion_plot(const struct artifact_job *job, struct output *sink,
     struct panel *panels = ARENA_ARRAY(arena, curves.panel_count, struct panel);
     for (size_t p = 0; p < curves.panel_count; p++) {
         struct panel_series *series = ARENA_ARRAY(arena, curves.count, struct panel_series);
-        panels[p] = (struct panel){.title = curves.panels[p], .series = series};
+        const bool is_one = curves.panel_count == 1; /* the title of the page names it */
+        panels[p] = (struct panel){.title = is_one ? NULL : curves.panels[p], .series = series};
         for (size_t i = 0; i < curves.count; i++) {
             const struct distortion_view_curve *curve = &curves.all[i];
             if (curve->panel == p) {
@@ -192,15 +194,19 @@ static bool distortion_plot(const struct artifact_job *job, struct output *sink,
         }
     }
     const size_t count = curves.panel_count;
-    const struct panels page = {.title = "Distortion over the field",
-                                .subtitle = curves.subtitle,
-                                .x_label = "distortion (%)",
-                                .y_label = curves.is_far ? "field (deg)" : "object height (mm)",
-                                .keys = curves.keys,
-                                .key_count = curves.key_count,
-                                .columns = count < 4 ? count : 4,
-                                .panels = panels,
-                                .count = count};
+    const bool one = curves.panel_count == 1;
+    const struct panels page = {
+        .title = one ? ARENA_JOIN(curves.arena, "Distortion of ", curves.panels[0]) : "Distortion",
+        .subtitle = curves.key_count > 1
+                        ? curves.subtitle
+                        : ARENA_JOIN(curves.arena, curves.keys[0], "; ", curves.subtitle),
+        .x_label = "distortion (%)",
+        .y_label = curves.is_far ? "field (deg)" : "object height (mm)",
+        .keys = curves.key_count > 1 ? curves.keys : NULL,
+        .key_count = curves.key_count,
+        .columns = count < 4 ? count : 4,
+        .panels = panels,
+        .count = count};
     return panels_draw(&page, &svg, error) && drawing_write(job, &svg, sink, error);
 }
 
@@ -272,7 +278,7 @@ static bool distortion_grid(const struct artifact_job *job, struct output *sink,
 static const struct word *projection_word_at(size_t i)
 {
     static const struct word automatic = {
-        "auto", "equidistant for --fit fisheye and fields from 90 degrees, else rectilinear"};
+        "auto", "that of the lens: of fields from 60 degrees the nearest, else rectilinear"};
     if (i == 0) {
         return &automatic;
     }

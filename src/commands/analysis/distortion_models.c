@@ -47,22 +47,50 @@ static struct field_point distortion_asked_edge_of(const struct setup *setup)
     return lens->field_count > 0 && edge.value[1] > 0 ? edge : setup->edge;
 }
 
+/* From which field angle on a lens may be made for another image than the rectilinear. */
+static const double WIDE = 60 * PI / 180;
+
+/* Of all projections the one that the lens images a field most nearly by; `otherwise`: none. */
+static enum projection projection_nearest(const struct setup *setup, const struct field_point *edge,
+                                          enum projection otherwise)
+{
+    enum projection nearest = otherwise;
+    double least = INFINITY;
+    for (int p = 0; p < PROJECTIONS; p++) {
+        struct distortion_map map;
+        struct distortion_point point;
+        struct error ignored;
+        if (distortion_open(setup, 0, (enum projection)p, setup->arena, &map, &ignored) &&
+            distortion_at(&map, edge, &point, &ignored) && fabs(point.percent) < least) {
+            least = fabs(point.percent);
+            nearest = (enum projection)p;
+        }
+    }
+    return nearest;
+}
+
 static enum projection projection_of(const struct distortion_input *input,
                                      const struct setup *setup)
 {
     if (input->projection > 0) {
         return (enum projection)(input->projection - 1);
     }
+    if (input->fit > 0) {
+        return input->fit == 1 + MODEL_FISHEYE ? EQUIDISTANT : RECTILINEAR;
+    }
     /* is there a field that no plane shows: of those asked for, or of the lens? */
-    const struct field_point edge = distortion_asked_edge_of(setup);
-    bool is_wide = edge.kind == FIELD_ANGLE && edge.value[1] >= PI / 2;
+    struct field_point edge = distortion_asked_edge_of(setup);
+    double widest = edge.kind == FIELD_ANGLE ? edge.value[1] : 0;
     for (size_t i = 0; i < setup->field_count; i++) {
         const struct field_point *field = &setup->fields[i].point;
-        is_wide = is_wide || (field->kind == FIELD_ANGLE &&
-                              fmax(fabs(field->value[0]), fabs(field->value[1])) >= PI / 2);
+        const double angle = fmax(fabs(field->value[0]), fabs(field->value[1]));
+        if (field->kind == FIELD_ANGLE && angle > widest) {
+            widest = angle;
+            edge = *field;
+        }
     }
-    return input->fit == 1 + MODEL_FISHEYE || (input->fit == 0 && is_wide) ? EQUIDISTANT
-                                                                           : RECTILINEAR;
+    const enum projection usual = widest >= PI / 2 ? EQUIDISTANT : RECTILINEAR;
+    return widest >= WIDE ? projection_nearest(setup, &edge, usual) : usual;
 }
 
 /* Where a case is kept, or room for it. True: it was there. */
