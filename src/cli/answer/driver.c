@@ -474,7 +474,9 @@ bool command_embed(const struct embedded_command *embedding, struct run *outer,
     bool done = driver_prepare(&driver, (int)embedding->count, embedding->words, error);
     if (done) {
         driver.lenses.arena = outer->arena; /* as for a row, which knows lenses that were read */
-        option_lens_lend(&driver.lenses, embedding->lens);
+        for (size_t i = 0; i < embedding->lens_count; i++) {
+            option_lens_lend(&driver.lenses, &embedding->lenses[i]);
+        }
         driver.db.directory = parent->db.directory;
         driver.db.agf = parent->db.agf;
         driver.db.lossy = parent->db.lossy;

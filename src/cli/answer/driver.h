@@ -10,7 +10,8 @@ struct embedded_command {
     const struct command *command;
     char **words;
     size_t count;
-    const struct lens_value *lens; /* known by its name: it is not read again */
+    const struct lens_value *lenses; /* known by their names: they are not read again */
+    size_t lens_count;
 };
 
 /*

@@ -124,6 +124,7 @@ enum figure_part {
     FIGURE_APERTURE = 1,
     FIGURE_WAVELENGTHS = 2, /* where no legend shows them */
     FIGURE_PLANE = 4,
+    FIGURE_THROUGH_FOCUS = 7,
     FIGURE_DEFOCUS = 8, /* where the figure does not go through focus */
     FIGURE_ALL = 15
 };

@@ -288,7 +288,7 @@ struct illumination_curve {
     double farthest[2], reach; /* the point farthest from the axis, mm */
 };
 
-enum { POINTS = 41, MOST_CURVES = 12, SERIES = 4 };
+enum { POINTS = 161, MOST_CURVES = 12, SERIES = 4 };
 
 struct illumination_painter {
     const struct illumination_input *input;

@@ -189,7 +189,7 @@ static void report_answer(void *context, const struct parallel_piece *piece)
             continue;
         }
         page_ask(&(struct page_question){query->section->command, query->words, query->word_count,
-                                         &question->lens},
+                                         &question->lens, 1},
                  &run, part);
     }
 }

@@ -248,9 +248,8 @@ static bool figure_add(struct figure_painter *painter, const struct analysis_cur
         .is_between = painter->is_between};
     const char *method = painter->input->method == MTF_BY_RAYS ? "geometric" : "diffraction";
     const char *bars = painter->input->square ? ", square bars; " : "; ";
-    const unsigned no = painter->axis == BY_FOCUS ? FIGURE_DEFOCUS : 0;
-    const char *words = analysis_figure_words(one, FIGURE_ALL & ~no, arena);
-    painter->subtitle = ARENA_JOIN(arena, method, bars, words);
+    const unsigned parts = painter->axis == BY_FOCUS ? FIGURE_THROUGH_FOCUS : FIGURE_ALL;
+    painter->subtitle = ARENA_JOIN(arena, method, bars, analysis_figure_words(one, parts, arena));
     painter->is_angle = !isnan(point.field);
     if (painter->axis == BY_FREQUENCY) {
         return figure_add_curve(painter, source, &place, error);
@@ -519,13 +518,15 @@ static size_t figure_put_series(const struct figure_painter *painter,
     for (size_t k = 0; k < count; k++) {
         const struct figure_curve *curve = &curves[k];
         const size_t again = 2 * (k / COLOURS);
-        /* On the axis of a lens both directions are one curve. */
         const double *t = curve->contrast[MTF_TANGENTIAL], *s = curve->contrast[MTF_SAGITTAL];
-        double off = 0;
-        for (size_t i = 0; i < curve->count; i++) {
+        double off = NAN; /* stays so where beyond the first point nothing is known */
+        for (size_t i = curve->count > 1; i < curve->count; i++) {
             off = fmax(off, fabs(t[i] - s[i]));
         }
-        const bool one = off < fine;
+        if (isnan(off)) {
+            continue;
+        }
+        const bool one = off < fine; /* as on the axis of a lens */
         const struct plot_series common = {
             .x = curve->x, .count = curve->count, .places = curve->places, .style = k};
         series[put] = common;
@@ -575,13 +576,12 @@ bool mtf_figure(const struct artifact_job *job, struct output *sink, struct erro
     if (!figure_curves_collect(&painter, curves, &count, error)) {
         return false;
     }
-    static const char *const labels[] = {[BY_FREQUENCY] = "spatial frequency (cycles/mm)",
-                                         [BY_FOCUS] = "defocus (mm)",
-                                         [BY_FIELD] = "field (mm)"};
-    const bool is_deg = painter.axis == BY_FIELD && painter.is_angle;
+    const char *const labels[] = {[BY_FREQUENCY] = "spatial frequency (cycles/mm)",
+                                  [BY_FOCUS] = "defocus (mm)",
+                                  [BY_FIELD] = painter.is_angle ? "field (deg)" : "field (mm)"};
     struct plot plot = {.title = one ? arena_printf(svg.arena, "MTF of %s", lens) : "MTF",
                         .subtitle = painter.subtitle,
-                        .x_label = is_deg ? "field (deg)" : labels[painter.axis],
+                        .x_label = labels[painter.axis],
                         .y_label = "modulation transfer",
                         .is_share = true,
                         .series = series};

@@ -297,7 +297,7 @@ bool page_ask(const struct page_question *question, struct run *run, struct page
     struct error error = {0};
     const struct embedded_command embedding = {command_find(text_of(question->command)),
                                                (char **)question->words, question->count,
-                                               question->lens};
+                                               question->lens, question->lens_count};
     part->failure = NULL;
     if (!command_embed(&embedding, run, &part->text, &error)) {
         part->failure = error.hint[0] == '\0'

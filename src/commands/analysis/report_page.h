@@ -28,7 +28,8 @@ struct page_question {
     const char *command;
     char *const *words;
     size_t count;
-    const struct lens_value *lens;
+    const struct lens_value *lens; /* an array */
+    size_t lens_count;
 };
 
 /* Ask it: the part receives the text, or why there is none. Result: is there one? */

@@ -35,7 +35,8 @@ struct drawn {
     const struct analysis_case *one;
     const struct spot_input *input;
     size_t field_index;
-    const char *title, *words;   /* of the lens; of the case, but for its defocus */
+    const char *title, *name;    /* of the lens; what it was asked for by */
+    const char *words;           /* of the case, but for its defocus */
     const char *field;           /* in words */
     bool is_angle;               /* the field, else a height */
     double field_value, defocus; /* as shown; NaN = none */
@@ -86,6 +87,7 @@ static struct drawn spot_diagram_place(const struct analysis_case *one, size_t f
     struct drawn drawn = {.one = one,
                           .field_index = field,
                           .title = one->setup->lens->title,
+                          .name = one->question->lens.name,
                           .field = analysis_place_words(at, arena),
                           .field_value = at->value[beside ? 0 : 1],
                           .is_angle = angle || at->kind == FIELD_NONE,
@@ -105,13 +107,20 @@ static bool same_defocus(const struct drawn *a, const struct drawn *b)
     return !(fabs(a->defocus - b->defocus) > 0);
 }
 
+static bool spot_same_lens(const struct drawn *a, const struct drawn *b)
+{
+    const bool same_name =
+        a->name == b->name || (a->name != NULL && b->name != NULL && strcmp(a->name, b->name) == 0);
+    return same_name && strcmp(a->title, b->title) == 0;
+}
+
 /* The lens and case a spot is of, and its place among the fields of that. */
 static void spot_diagram_group(struct spot_drawing *drawing, struct drawn *drawn)
 {
     size_t group = 0;
     for (; group < drawing->group_count; group++) {
         const struct drawn *first = &drawing->all[drawing->groups[group]];
-        if (strcmp(first->title, drawn->title) == 0 && strcmp(first->words, drawn->words) == 0) {
+        if (spot_same_lens(first, drawn) && strcmp(first->words, drawn->words) == 0) {
             break;
         }
     }
@@ -320,9 +329,14 @@ static const char *spot_diagram_title(const struct spot_drawing *drawing, const 
 static const char *spot_diagram_caption(const struct spot_drawing *drawing,
                                         const struct drawn *drawn)
 {
-    const char *title = spot_diagram_title(drawing, "", "");
-    return title[0] == '\0' ? ARENA_JOIN(drawing->arena, drawn->title, ": ", drawn->words)
-                            : drawn->words;
+    bool one_lens = true, one_title = true;
+    for (size_t i = 1; i < drawing->group_count; i++) {
+        const struct drawn *first = &drawing->all[0], *other = &drawing->all[drawing->groups[i]];
+        one_lens = one_lens && spot_same_lens(first, other);
+        one_title = one_title && strcmp(first->title, other->title) == 0;
+    }
+    const char *name = one_title && drawn->name != NULL ? drawn->name : drawn->title;
+    return one_lens ? drawn->words : ARENA_JOIN(drawing->arena, name, ": ", drawn->words);
 }
 
 static const char *spot_diagram_subtitle_of(const struct spot_drawing *drawing)

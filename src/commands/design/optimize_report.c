@@ -109,9 +109,31 @@ static void optimize_page_compare(struct optimize_page *page, const char *title,
         part->is_paired = true;
         part->is_right = i == 1;
         part->is_drawing = true;
-        const struct page_question question = {command, words, count, &page->lenses[i]};
+        const struct page_question question = {command, words, count, &page->lenses[i], 1};
         page_ask(&question, page->run, part);
     }
+}
+
+/* The spots of both lenses in one drawing, so that they have one scale. */
+static void optimize_page_add_spots(struct optimize_page *page, const char *position)
+{
+    static const char *const both[] = {"start", "end", "--plot", "spot.svg", "--position"};
+    struct arena *arena = page->run->arena;
+    char *words[6];
+    size_t count = 0;
+    for (; count < 5; count++) {
+        words[count] = arena_string(arena, both[count], strlen(both[count]));
+    }
+    count = position != NULL ? count : count - 1;
+    if (position != NULL) {
+        words[count++] = arena_string(arena, position, strlen(position));
+    }
+    struct page_part *part = optimize_page_add(
+        page, arena_printf(arena, "Spots%s%s, start and end", position != NULL ? " at " : "",
+                           position != NULL ? position : ""));
+    part->is_drawing = true;
+    const struct page_question question = {"spot", words, count, page->lenses, 2};
+    page_ask(&question, page->run, part);
 }
 
 /* "1.234", of what is not there a dash. */
@@ -286,7 +308,7 @@ static void optimize_page_fill(struct optimize_page *page)
         const struct merit_place *place =
             &merit->places[shown > 1 ? i * (places - 1) / (shown - 1) : 0];
         optimize_page_compare(page, "Cross-section", "draw", place->setup.position, NULL);
-        optimize_page_compare(page, "Spots", "spot", place->setup.position, "spot.svg");
+        optimize_page_add_spots(page, place->setup.position);
     }
     optimize_page_add(page, "Variables that moved most")->text = page_variable_lines(job, arena);
     optimize_page_add(page, "Merit by goal")->text = page_merit_lines(job, arena);
