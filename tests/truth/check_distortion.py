@@ -61,10 +61,11 @@ def ask(program, case, fraction):
     """The row of a field; an object's height is one of the lens file."""
     size = case["field"]["value"] * float(fraction)
     if case["field"]["type"] == "angle_deg":
-        return program.rows("distortion", "-", "--field", repr(size), "--focus", case["plane"],
-                            text=case["lens"])
+        return program.rows("distortion", "-", "--projection", "rectilinear", "--field",
+                            repr(size), "--focus", case["plane"], text=case["lens"])
     text = re.sub(r"(?m)^field .*$", f"field height {size!r}", case["lens"])
-    return program.rows("distortion", "-", "--focus", case["plane"], text=text)
+    return program.rows("distortion", "-", "--projection", "rectilinear", "--focus",
+                        case["plane"], text=text)
 
 
 def check_case(checks, program, case, percents):
