@@ -51,6 +51,13 @@ static const struct sample {
     /* the nearer one: a single thing, then air, then the range */
     {LENS, NULL, "t1..t5 0.02\nsurface 1..5 air 0.01\nt4 5um",
      "t1 0.02, t2 0.02, t5 0.02, t4 0.005"},
+    /* whatever stands first */
+    {LENS, NULL, "t4 5um\nsurface 1..5 air 0.01\nt1..t5 0.02",
+     "t1 0.02, t2 0.02, t5 0.02, t4 0.005"},
+    {LENS, NULL, "surface 1..5 air 0.01\nt4 5um\nt1..t5 0.02",
+     "t1 0.02, t2 0.02, t5 0.02, t4 0.005"},
+    {LENS, NULL, "t1..t5 0.02\nsurface 1..5 air 0.01", "t1 0.02, t2 0.02, t5 0.02, t3 0.01"},
+    {LENS, NULL, "surface 1..5 air 0.01\nt1..t5 0.02", "t1 0.02, t2 0.02, t5 0.02, t3 0.01"},
     /* a stop may pass the vertex beside it */
     {BARE, NULL, "t1..t5 0.1", "t1 0.1, t4 0.1, t3 0.1"},
     {ZOOM, NULL, "t3..t4 0.1", "t3 0.1, t4 0.1"},
@@ -79,6 +86,9 @@ static const struct sample {
     /* marks go before the grade; its fringes are for planes */
     {LENS, "R1..R6 0.1%\nR1..R6 3fringes\nt1..t6 0.1\nsurface 1..6 air 0.05",
      "t1 0.01\nt2..t3 0.02",
+     "R1 0.05, R2 0.05, R3 1.63820999e-05, R5 0.07, R6 0.07, t1 0.01, t2 0.02, t5 0.1, t3 0.02"},
+    {LENS, "surface 1..6 air 0.05\nt1..t6 0.1\nR1..R6 3fringes\nR1..R6 0.1%",
+     "t2..t3 0.02\nt1 0.01",
      "R1 0.05, R2 0.05, R3 1.63820999e-05, R5 0.07, R6 0.07, t1 0.01, t2 0.02, t5 0.1, t3 0.02"},
 };
 
@@ -302,6 +312,9 @@ static void check_errors(void)
     CHECK_NEAR(second, moments.second, 1e-5, "second moment");
     CHECK_NEAR(fourth, moments.fourth, 1e-5, "fourth moment");
     CHECK_NEAR(perturbation_moments(&list[3]).second, 1.0 / 3, 1e-15, "of a spherical form");
+    CHECK_NEAR(perturbation_moments(&list[3]).fourth, 1.0 / 5, 1e-15, "of a spherical form");
+    CHECK_NEAR(perturbation_moments(&list[0]).second, 1.0 / 3, 1e-15, "of a radius");
+    CHECK_NEAR(perturbation_moments(&list[0]).fourth, 1.0 / 5, 1e-15, "of a radius");
 }
 
 int main(void)
