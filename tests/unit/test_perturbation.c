@@ -90,6 +90,7 @@ static const struct sample {
     {LENS, "surface 1..6 air 0.05\nt1..t6 0.1\nR1..R6 3fringes\nR1..R6 0.1%",
      "t2..t3 0.02\nt1 0.01",
      "R1 0.05, R2 0.05, R3 1.63820999e-05, R5 0.07, R6 0.07, t1 0.01, t2 0.02, t5 0.1, t3 0.02"},
+    {LENS, "R1 0.1%\nR1 0.2%\nR5 0.4%\nR5 0.2%", "t1 0.01", "R1 0.05, R5 0.28, t1 0.01"},
 };
 
 /* Lines with `tolerance` before each. */
