@@ -86,7 +86,9 @@ static void sheet_draw_table(const struct element_sheet *sheet, struct svg *svg)
     svg_styled_line(svg, &rule, LEFT, TABLE_TOP + 1.2 * LINE, RIGHT, TABLE_TOP + 1.2 * LINE);
     for (size_t i = 0; i < 3; i++) {
         const double x = LEFT + width * (double)i;
-        svg_heading(svg, x + 20, TABLE_TOP + 0.8 * LINE, SIZE, width - 30, heads[i]);
+        const struct svg_label head = {
+            .x = x + 20, .y = TABLE_TOP + 0.8 * LINE, .size = SIZE, .bold = true};
+        svg_text(svg, &head, heads[i]);
         for (size_t k = 0; k < ELEMENT_LINES && columns[i][k] != NULL; k++) {
             svg_words_within(svg, x + 20, TABLE_TOP + LINE * ((double)k + 2), SIZE, width - 30,
                              BLACK, columns[i][k]);
@@ -106,7 +108,7 @@ void element_sheet_draw(const struct element_sheet *sheet, struct svg *svg)
     const double scale = sheet_scale(sheet);
     svg_begin_mm(svg, ELEMENT_SHEET_WIDTH, ELEMENT_SHEET_HEIGHT, UNITS, sheet->title);
     svg_heading(svg, LEFT, 80, 44, RIGHT - LEFT - 500, sheet->title);
-    svg_words_within(svg, LEFT, 130, SIZE, 1000, "#333333", sheet->part);
+    svg_subheading(svg, LEFT, 130, SIZE, 1000, sheet->part);
     svg_words(svg, RIGHT, 80, SIZE, SVG_END, BLACK,
               scale >= 1 ? arena_printf(svg->arena, "scale %.4g : 1", scale)
                          : arena_printf(svg->arena, "scale 1 : %.4g", 1 / scale));

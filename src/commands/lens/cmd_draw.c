@@ -152,9 +152,9 @@ static bool draw_draw(const struct artifact_job *job, struct output *sink, struc
     if (input->list) {
         section.list = draw_elements_table(&layouts[0]);
     }
-    const bool drawn = input->iso10110
-                           ? draw_element_sheet(&layouts[0], input->element, &svg, error)
-                           : section_draw(&section, &svg, error);
+    const bool drawn = input->iso10110 ? draw_element_sheet(&layouts[0], input->element,
+                                                            section.title, &svg, error)
+                                       : section_draw(&section, &svg, error);
     return drawn && drawing_write(job, &svg, sink, error);
 }
 

@@ -259,8 +259,8 @@ static size_t element_asphere(const struct surface *surface, const char *name, s
     return count;
 }
 
-bool draw_element_sheet(const struct layout *layout, long number, struct svg *svg,
-                        struct error *error)
+bool draw_element_sheet(const struct layout *layout, long number, const char *title,
+                        struct svg *svg, struct error *error)
 {
     struct arena *arena = layout->arena;
     const struct lens *lens = layout->setup->lens;
@@ -278,7 +278,7 @@ bool draw_element_sheet(const struct layout *layout, long number, struct svg *sv
     }
     const char *notes[2 + 2 * LENS_COEFFICIENTS];
     struct element_sheet sheet = {
-        .title = lens->title,
+        .title = title,
         .part = arena_printf(arena, "element %ld of %zu, surfaces %zu and %zu", number,
                              layout->element_count, i + 1, i + 2),
         .thickness = arena_printf(arena, "%.6g%s", element.thickness,

@@ -15,7 +15,7 @@ struct section_table draw_elements_table(const struct layout *layout);
  * Given     number  from 1
  * Errors    ERROR_USAGE: no such element
  */
-bool draw_element_sheet(const struct layout *layout, long number, struct svg *svg,
-                        struct error *error);
+bool draw_element_sheet(const struct layout *layout, long number, const char *title,
+                        struct svg *svg, struct error *error);
 
 #endif
