@@ -11,8 +11,8 @@
  * Given     image   of any channels, which all become 1 where a letter covers a pixel
  *           x, y    where the text begins, on the base line, px; what lies outside is not written
  *           height  of a digit, px
- * Formula   letters are lines and arcs of ellipses, a ninth of the height wide; a pixel takes as much
- *           light as their edge, by its distance from the middle, covers of it
+ * Formula   letters are lines and arcs of ellipses, a ninth of the height wide; a pixel takes as
+ *           much light as their edge, by its distance from the middle, covers of it
  */
 void lettering_write(struct image *image, double x, double y, double height, const char *text);
 

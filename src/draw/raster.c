@@ -205,8 +205,8 @@ static const char *raster_power(struct arena *arena, double exponent)
         "\xe2\x81\xb0", "\xc2\xb9",     "\xc2\xb2",     "\xc2\xb3",     "\xe2\x81\xb4",
         "\xe2\x81\xb5", "\xe2\x81\xb6", "\xe2\x81\xb7", "\xe2\x81\xb8", "\xe2\x81\xb9"};
     const size_t digit = (size_t)fmin(fabs(round(exponent)), 9);
-    return digit == 0 ? "1"
-                      : ARENA_JOIN(arena, "10", exponent < 0 ? "\xe2\x81\xbb" : "", digits[digit]);
+    const char *minus = exponent < 0 ? "\xe2\x81\xbb" : "";
+    return digit == 0 ? "1" : ARENA_JOIN(arena, "10", minus, digits[digit]);
 }
 
 /*

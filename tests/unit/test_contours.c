@@ -73,7 +73,7 @@ static struct seen drawn(double (*measure)(double x, double y), double value, do
 int main(void)
 {
     struct arena arena = {0};
-    /* a circle is one closed line; linear between corners 1/20 apart it is off by 1/800 r at most */
+    /* a circle is one closed line; linear between corners 1/20 apart it is off by 1/800 r */
     struct seen seen = drawn(radius, 0.5, -1, &arena);
     CHECK(seen.lines == 1 && seen.points > 60);
     CHECK_NEAR(seen.least, 0.5, 0.001, "radius of a circle, least");
