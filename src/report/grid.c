@@ -116,6 +116,8 @@ void grid_write_markdown(const struct grid *grid, struct output *output, bool wi
     }
 }
 
+enum { UPRIGHT = 14 }; /* columns */
+
 void grid_html_begin(struct output *output, const char *title)
 {
     output_string(output, "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
@@ -133,11 +135,16 @@ void grid_html_begin(struct output *output, const char *title)
                   "thead { display: table-header-group; }\n"
                   "tr { break-inside: avoid; }\n"
                   "@page { margin: 15mm; }\n"
+                  "@page many { size: landscape; margin: 10mm; }\n"
                   "@media print {\n"
                   "body { margin: 0; font-size: 9pt; }\n"
                   "th, td { padding: 0.15em 0.5em; }\n"
                   ".w { overflow-wrap: anywhere; }\n"
                   "tbody tr { border-bottom: 1px solid #ddd; }\n"
+                  "body:has(.many) { page: many; }\n"
+                  ".many { font-size: 6.5pt; }\n"
+                  ".many th, .many td { padding: 0.15em 0.25em; }\n"
+                  ".many .w { overflow-wrap: normal; }\n"
                   "}\n"
                   "</style>\n</head>\n<body>\n");
 }
@@ -158,7 +165,8 @@ void grid_write_html(const struct grid *grid, struct output *output, bool with_h
 {
     grid_make_printable(grid);
     if (with_head) {
-        output_string(output, "<table>\n");
+        /* more than a page has room for upright */
+        output_string(output, grid->columns > UPRIGHT ? "<table class=\"many\">\n" : "<table>\n");
     }
     if (with_head && grid->title != NULL) {
         output_string(output, "<caption>");
