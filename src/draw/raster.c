@@ -17,7 +17,7 @@
 /* px */
 static const double LEFT = 84, TOP = 104, SIDE = 250, ACROSS = 344, DOWN = 358, BOTTOM = 20;
 static const double BAR_GAP = 34, BAR_WIDTH = 18, BAR_ROOM = 110, TICK = 5;
-static const double MARGIN = 24, BOLDER = 0.93, TITLES_MOST = 760; /* wide, of pages of few maps */
+static const double MARGIN = 24, BOLDER = 1.2, TITLES_MOST = 760; /* wide, of pages of few maps */
 static const double TITLE_SIZE = 16, SUBTITLE_SIZE = 12;
 enum { CHANNELS = 4, BAR_STEPS = 256 };
 
@@ -345,13 +345,13 @@ bool rasters_draw(const struct rasters *rasters, struct svg *svg, struct error *
     const char *const above = rasters->title != NULL ? rasters->title : "";
     const char *const below = rasters->subtitle != NULL ? rasters->subtitle : "";
     const double room =
-        fmin(fmax(svg_text_width(above, TITLE_SIZE) / BOLDER, svg_text_width(below, SUBTITLE_SIZE)),
+        fmin(fmax(BOLDER * svg_text_width(above, TITLE_SIZE), svg_text_width(below, SUBTITLE_SIZE)),
              TITLES_MOST) +
         1;
     const double end = rasters->colours == RASTER_FRINGES ? bar : bar + BAR_ROOM;
     const double width = fmax(end, room + 2 * MARGIN);
     svg_begin(svg, width, TOP + DOWN * (double)rows - 30 + BOTTOM, rasters->title);
-    svg_heading(svg, MARGIN, 32, TITLE_SIZE, BOLDER * (width - 2 * MARGIN), above);
+    svg_heading(svg, MARGIN, 32, TITLE_SIZE, width - 2 * MARGIN, above);
     svg_subheading(svg, MARGIN, 54, SUBTITLE_SIZE, width - 2 * MARGIN, below);
     for (size_t i = 0; i < rasters->count; i++) {
         if (!draw_map(&page, i, error)) {

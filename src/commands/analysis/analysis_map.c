@@ -15,6 +15,11 @@ const struct file_type *map_types(size_t i)
     return types[i];
 }
 
+bool map_is_drawing(const struct artifact_job *job)
+{
+    return job->type != &png_type && job->type != &pfm_type;
+}
+
 static bool map_numbers(const struct raster_map *map, struct arena *arena, struct text *file,
                         struct error *error)
 {
@@ -66,7 +71,7 @@ bool map_page_make(struct map_page *page, const char *what, struct output *sink,
         page->maps[i].title = ARENA_JOIN(arena, page->lenses[i], ", ", page->maps[i].title);
         rasters->subtitle = "";
     }
-    if (job->type != &png_type && job->type != &pfm_type) {
+    if (map_is_drawing(job)) {
         struct svg svg = {.arena = arena};
         return rasters_draw(rasters, &svg, error) && drawing_write(job, &svg, sink, error);
     }

@@ -9,6 +9,9 @@
 /* .png, false colours; .pfm, the numbers, 0 where there is nothing. */
 file_types map_types;
 
+/* Is a page of maps asked for, whatever its format, and not one of those files? */
+bool map_is_drawing(const struct artifact_job *job);
+
 /* The maps of a job; its rasters want all but title, maps and count. */
 struct map_page {
     const struct artifact_job *job;

@@ -345,7 +345,7 @@ static struct raster_map psf_map(const struct psf *psf, bool whole, struct arena
 static bool psf_maps(const struct artifact_job *job, struct output *sink, struct error *error)
 {
     const struct psf_input *first = job->inputs[0];
-    const bool drawn = strcmp(job->type->ending, ".svg") == 0;
+    const bool drawn = map_is_drawing(job);
     const bool whole = !drawn || asking_given(job->asking, "size");
     struct map_page page = {.job = job,
                             .rasters = {.scale_label = "share of the peak of the map",

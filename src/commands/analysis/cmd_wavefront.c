@@ -342,7 +342,7 @@ static bool wavefront_maps(const struct artifact_job *job, struct output *sink, 
     double least = INFINITY, most = 0;
     for (size_t i = 0; i < job->count; i++) {
         struct wavefront_input input = *(const struct wavefront_input *)job->inputs[i];
-        const bool drawn = strcmp(job->type->ending, ".svg") == 0;
+        const bool drawn = map_is_drawing(job);
         if (!(input.size > 0)) {
             input.size = drawn ? DRAWN_SIZE : MAP_SIZE;
         }
