@@ -270,6 +270,12 @@ static bool words_stack(const struct page *page, const struct svg_shape *shape, 
     return has_others;
 }
 
+static bool words_are_on_page(const struct page *page, const struct svg_shape *shape)
+{
+    const double x = shape->x[0], y = shape->y[0];
+    return x >= 0 && x <= page->width && y >= 0 && y <= page->height;
+}
+
 static void page_draw_words(struct page *page, const struct svg_shape *shape)
 {
     static const long up[] = {0, -1, 1, -2, 2}, down[] = {0, 1, 2, 3, -1}, below[] = {0, 1};
@@ -338,6 +344,8 @@ void page_draw(struct text drawing, const struct page_view *view, struct arena *
             bottom = fmax(bottom, shape_middle(shape));
         }
     }
+    top = fmax(top, 0); /* what lies off the page is not seen */
+    bottom = fmin(bottom, page.height);
     /* half a line above the first, a whole one where turned words may stand */
     page.top = top - (has_turned ? 2.6 : 0.6) / page.scale;
     const long rows = page_row(&page, bottom) + 3;
@@ -348,8 +356,10 @@ void page_draw(struct text drawing, const struct page_view *view, struct arena *
         }
     }
     for (size_t i = 0; i < page.count; i++) {
-        if (shape_is_words(&page.shapes[i]) && !shape_is_head(&page, &page.shapes[i])) {
-            page_draw_words(&page, &page.shapes[i]);
+        const struct svg_shape *shape = &page.shapes[i];
+        if (shape_is_words(shape) && !shape_is_head(&page, shape) &&
+            words_are_on_page(&page, shape)) {
+            page_draw_words(&page, shape);
         }
     }
     cells_put(&page.cells, lines);
