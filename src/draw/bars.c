@@ -8,6 +8,7 @@
 #include "draw/plot_frame.h"
 #include "draw/svg.h"
 #include "draw/ticks.h"
+#include "draw/typeset.h"
 
 #include <math.h>
 
@@ -117,14 +118,30 @@ static void bars_draw_strip(const struct bars *bars, size_t kind, const struct b
     svg_words(svg, LEFT + 4, top - 6, NUMBER_SIZE, SVG_START, NULL, bars->kinds[kind]);
 }
 
+/* From group to group, px, so that no label touches the next. */
+static double bars_least_pitch(const struct bars *bars)
+{
+    double least = 14, before = -INFINITY;
+    for (size_t g = 0; g < bars->group_count; g++) {
+        const struct bar_group *group = &bars->groups[g];
+        const double width = group->label == NULL
+                                 ? -INFINITY
+                                 : typeset_width(group->label, NUMBER_SIZE, group->apart);
+        least = fmax(least, (before + width) / 2 + 5);
+        before = width;
+    }
+    return least;
+}
+
 static void bars_draw_strips(const struct bars *bars, struct bars_page *page, struct svg *svg)
 {
     const double top = LEGEND_TOP + 14, step = STRIP + STRIP_GAP;
     const double bottom = top + step * (double)bars->kind_count - STRIP_GAP;
     const double widest = 60; /* groups */
-    page->width = fmax(NARROWEST, LEFT + RIGHT + (double)bars->group_count * 14);
-    page->pitch = fmin((page->width - LEFT - RIGHT) / (double)bars->group_count, widest);
-    page->width = fmax(page->pitch * (double)bars->group_count + LEFT + RIGHT, 640);
+    const double count = (double)bars->group_count;
+    page->width = fmax(NARROWEST, LEFT + RIGHT + count * bars_least_pitch(bars));
+    page->pitch = fmin((page->width - LEFT - RIGHT) / count, widest);
+    page->width = fmax(page->pitch * count + LEFT + RIGHT, 640);
     svg_begin(svg, page->width, bottom + BELOW, bars->title);
     for (size_t g = 0; g < bars->group_count; g++) {
         const double left = LEFT + (double)g * page->pitch;

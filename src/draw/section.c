@@ -285,6 +285,14 @@ static double section_draw_legend(struct section_page *page, double y, bool draw
             y += LINE;
         }
     }
+    if (!section_labels_elements(section->views[0].layout)) {
+        if (draw) {
+            section_write_text(page, MARGIN, y, SVG_START, "#444444",
+                               arena_printf(page->svg->arena, "%zu elements: too many to label",
+                                            section->views[0].layout->element_count));
+        }
+        y += LINE;
+    }
     return y;
 }
 

@@ -71,6 +71,9 @@ void section_write_text(const struct section_page *page, double x, double y, enu
 /* Labels of planes, pupils, points and the image plane, each clear of the others. */
 void section_write_labels(struct section_page *page);
 
+/* Have the labels of all elements room side by side? Else none is labelled. */
+bool section_labels_elements(const struct layout *layout);
+
 /* How far below the glass the labels of elements reach, px; 0: there are none. */
 double section_element_room(const struct layout *layout);
 

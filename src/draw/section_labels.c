@@ -115,9 +115,17 @@ static const char *element_text(const struct layout *layout, size_t i, struct ar
     return arena_printf(arena, "%zu · %s", i + 1, layout->glasses[layout->elements[i].glass]);
 }
 
+bool section_labels_elements(const struct layout *layout)
+{
+    return (double)layout->element_count * ELEMENT_GAP <= SECTION_WIDTH - 2 * ELEMENT_GAP;
+}
+
 double section_element_room(const struct layout *layout)
 {
     double longest = 0;
+    if (!section_labels_elements(layout)) {
+        return 0;
+    }
     for (size_t i = 0; i < layout->element_count; i++) {
         const char *text = element_text(layout, i, layout->arena);
         longest = fmax(longest, svg_text_width(text, ELEMENT_SIZE));
@@ -146,7 +154,7 @@ void section_write_elements(struct section_page *page)
 {
     const struct layout *layout = page->layout;
     struct arena *arena = page->svg->arena;
-    const size_t count = layout->element_count;
+    const size_t count = section_labels_elements(layout) ? layout->element_count : 0;
     double *x = ARENA_ARRAY(arena, count, double), low = -INFINITY;
     size_t *order = ARENA_ARRAY(arena, count, size_t);
     for (size_t i = 0; i < count; i++) {

@@ -16,7 +16,7 @@ struct wavefront_input {
     bool fringes;
 };
 
-enum { MAP_SIZE = 128, DRAWN_SIZE = 400 };
+enum { MAP_SIZE = 128, DRAWN_SIZE = 256 };
 
 static const struct analysis_policy policy = {.wavelengths = WAVELENGTHS_PRIMARY,
                                               .fields = FIELDS_ALL};
@@ -51,7 +51,7 @@ static const struct option options[] = {
      .help = "number of Zernike terms"},
     {OPTION(struct wavefront_input, size), .name = "size", .lowest = 8, .highest = 2048,
      .value = "COUNT", .wants = "plot|map",
-     .help = "points across a map; default 128, of --plot 400"},
+     .help = "points across a map; default 128, of --plot 256"},
     {OPTION(struct wavefront_input, fringes), .name = "fringes", .wants = "plot|map",
      .help = "an interferogram: fringes against a perfect reference sphere"},
     ANALYSIS_PUPIL_OPTIONS,
