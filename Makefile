@@ -142,7 +142,7 @@ $(BUILD)/design/solver/solver_engines_ceres.o: src/design/solver/solver_engines.
 	$(Q)$(CC) $(ALL_CFLAGS) -DWITH_CERES -MMD -MP -c -o $@ $<
 
 # lane loops of the ray tracer: the same bits from each of the three; elsewhere all are plain C
-ifneq ($(filter x86_64%,$(shell $(CC) -dumpmachine)),)
+ifneq ($(filter x86_64%,$(shell $(CC) -dumpmachine 2> /dev/null || uname -m)),)
 SET_avx2   = -mavx2
 SET_avx512 = -mavx512f -mavx512vl -mavx512dq -mprefer-vector-width=512
 endif
