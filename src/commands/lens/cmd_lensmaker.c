@@ -145,6 +145,12 @@ static bool lensmaker_run(const void *data, struct run *run, struct error *error
     row.solutions = count;
     row.solution = solutions[input->solution].word;
     lensmaker_facts(&row.lens, &row.facts);
+    if (row.lens.n1 != 1 && isfinite(row.facts.rear_focal)) {
+        warnings_add(run->doubts,
+                     "the focal length is 1/power in every medium; light from afar meets %.6g mm "
+                     "from the rear principal plane, n' times as far (column rear_focal)",
+                     row.facts.rear_focal);
+    }
     run_emit(run, &row);
     return true;
 }
