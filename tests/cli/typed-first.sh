@@ -92,3 +92,8 @@ try microscope --resolution 0.1um
 try microscope 40x
 try conjugate -f 0.5m -s 1m --then "gap 2m, mirror plane"
 try fov 50mm --sensor "Cannon 5D"
+try lensmaker -f -20cm --index 1.55 --biconcave
+try lensmaker -f 20cm --index 1.5 --in water
+try refract --n1 1.5 --n2 1 --critical
+try fov 800mm --pixel 3.76um --binning 2
+csv panorama 50mm --overlap 30% --angle 180deg --columns arc,columns

@@ -55,6 +55,7 @@ const struct trade_name trade_aliases[] = {
     {"mfd closestfocus minimumfocus minimumfocusdistance", "sensor-distance", NULL, NULL},
     {"size subjectsize", "subject-size", NULL, NULL},
     {"fov fieldofview", "field-width", "motion", NULL},
+    {"angle totalangle", "arc", "panorama", NULL},
     {NULL, NULL, NULL, NULL},
 };
 
@@ -89,5 +90,11 @@ const struct trade_name trade_hints[] = {
     {"brightness footlamberts", "luminance", NULL, NULL},
     {"s do distance objectdistance", "object", NULL, NULL},
     {"pixels", "blur", "motion", "a blur of so many pixels is --blur 8px"},
+    {"biconvex biconcave equiconvex equiconcave planoconvex planoconcave", "shape", "lensmaker",
+     "a lens of equal radii is --shape 0, one whose second surface is a plane --shape 1"},
+    {"in water", "medium", "lensmaker", "a medium on both sides is --medium 1.333"},
+    {"critical criticalangle", "before", "refract", "the critical angle is printed without it"},
+    {"binning bin", "pitch", NULL,
+     "binned pixels are larger ones: of 3.76 um by two, --pitch 7.52um"},
     {NULL, NULL, NULL, NULL},
 };
