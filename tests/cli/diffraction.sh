@@ -14,3 +14,4 @@ for words in '-N 0' '--near 0.1 -f 150' '--near 2' '--frequency 10' '-N 8 --film
     lenscalc diffraction $words
     echo "status $?"
 done
+lenscalc diffraction --aperture 11in --frequency 40

@@ -66,3 +66,5 @@ for lens in fisheye-16 minolta-fisheye-1 canon-retrofocus-14 double-gauss; do
     lenscalc distortion $lens --csv --digits 3 --columns field,distortion,projection 2>/dev/null | tail -1
 done
 lenscalc distortion fisheye-16 --projection rectilinear --csv --digits 3 --columns field,distortion,projection | tail -1
+lenscalc distortion fisheye-16 --field 52.29deg --aspect 3:2 --projection rectilinear --csv --digits 4 --columns tv_smia
+lenscalc distortion fisheye-16 --aspect 3:2

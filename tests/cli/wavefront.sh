@@ -35,3 +35,5 @@ for swept in '--field 0..14:7 --spectrum d,F' '--field 0,14 -N 5.6,8 --defocus -
     lenscalc wavefront double-gauss $swept --curve curve.svg > rows && grep -o '>[^<>]*</text>' curve.svg | sed 's/^>//; s/<.*//' | grep -v '^[−0-9.]*$'
 done
 lenscalc wavefront double-gauss -N 8 --field 0..14:7 --defocus -0.1..0.1#40 -w 400..700:10 --columns field --curve many.svg > rows; test -e many.svg || echo none
+lenscalc wavefront double-gauss -N 8 --field 14 --spectrum F:0,d:1 --csv --digits 4 --columns rms,strehl
+lenscalc wavefront double-gauss laikin45-achromat -N 8 --field 0,0.5 --curve none.svg

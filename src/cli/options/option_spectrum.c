@@ -3,6 +3,7 @@
 #include "cli/options/option.h"
 
 #include <math.h>
+#include <string.h>
 
 /* The eye by day: V of CIE 1924 (ISO 23539) in steps of 20 nm, where it is above 0.03. */
 static const struct setup_wavelength photopic[] = {
@@ -10,13 +11,30 @@ static const struct setup_wavelength photopic[] = {
     {0.57, 0.952}, {0.59, 0.757},   {0.61, 0.503},   {0.63, 0.265}, {0.65, 0.107},
 };
 
+/* The heaviest first, as the list of a lens has its primary one: waves and colours are told from
+   it. Of several the one that was typed first. */
+static void spectrum_lead(struct setup_wavelength *items, size_t count)
+{
+    size_t lead = 0;
+    for (size_t i = 1; i < count; i++) {
+        lead = items[i].weight > items[lead].weight ? i : lead;
+    }
+    const struct setup_wavelength heaviest = items[lead];
+    memmove(items + 1, items, lead * sizeof *items);
+    items[0] = heaviest;
+}
+
 static bool read_spectrum(const struct reader *reader, const struct option *option,
                           struct text text, void *member, struct error *error)
 {
     struct spectrum_value value = {.text = arena_string(reader->arena, text.start, text.length)};
     if (text_same(text_trim(text), "photopic")) {
-        value.items = photopic;
+        struct setup_wavelength *items = ARENA_ARRAY(
+            reader->arena, sizeof photopic / sizeof photopic[0], struct setup_wavelength);
+        memcpy(items, photopic, sizeof photopic);
+        value.items = items;
         value.count = sizeof photopic / sizeof photopic[0];
+        spectrum_lead(items, value.count);
         *(struct spectrum_value *)member = value;
         return true;
     }
@@ -47,6 +65,7 @@ static bool read_spectrum(const struct reader *reader, const struct option *opti
         sum += items[value.count].weight;
     }
     value.items = items;
+    spectrum_lead(items, value.count);
     *(struct spectrum_value *)member = value;
     return sum > 0 || fail(error, ERROR_USAGE, "%s has only weights of 0", CALLED(option));
 }

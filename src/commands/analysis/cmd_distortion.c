@@ -444,6 +444,13 @@ static bool distortion_run(const void *data, struct run *run, struct error *erro
             row.focal = ready.focal;
             row.magnification = ready.magnification;
             row.projection = ready.projection;
+            if (!isnan(input->aspect) && input->projection == 0 &&
+                strcmp(ready.projection, projections[0].word) != 0) {
+                return fail(error, ERROR_USAGE,
+                            "{--aspect} measures straight edges, and auto is %s here: say which "
+                            "by {--projection}",
+                            ready.projection);
+            }
             if (!isnan(input->aspect) && !distortion_row_frame(&ready, input->aspect, &row)) {
                 analysis_warn(&at, &row.point, "some of the picture has no chief ray");
             }

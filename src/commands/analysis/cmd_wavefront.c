@@ -408,6 +408,7 @@ struct rms_drawing {
 };
 
 /* How many values something has among the inputs of a job. */
+#define VALUES(member) rms_values_of(job, offsetof(struct wavefront_input, member))
 static size_t rms_values_of(const struct artifact_job *job, size_t offset)
 {
     size_t count = 0;
@@ -508,18 +509,20 @@ static bool wavefront_curves(const struct artifact_job *job, struct output *sink
 {
     struct svg svg = {.arena = job->run->arena};
     struct rms_drawing drawing = {.arena = svg.arena, .hidden = FIGURE_DEFOCUS};
-    const size_t focus = rms_values_of(job, offsetof(struct wavefront_input, question.defocus));
-    const size_t waves =
-        rms_values_of(job, offsetof(struct wavefront_input, question.wavelength.wavelength));
-    const size_t fields = rms_values_of(job, offsetof(struct wavefront_input, question.field));
+    const size_t focus = VALUES(question.defocus), fields = VALUES(question.field);
+    const size_t waves = VALUES(question.wavelength.wavelength);
+    if (VALUES(question.lens.lens) * VALUES(reference) * VALUES(question.aim) > 1 ||
+        VALUES(question.field_x) > 1) {
+        return fail(error, ERROR_USAGE,
+                    "{--curve} draws one lens, reference and aim, not fields x");
+    }
     if (focus > 1 && focus >= waves && focus >= fields) {
         drawing.axis = RMS_BY_FOCUS;
     } else if (waves > 1 && waves >= fields) {
         drawing.axis = RMS_BY_WAVELENGTH;
     }
-    const size_t fnumbers = rms_values_of(job, offsetof(struct wavefront_input, question.fnumber));
     drawing.hidden |= (waves > 1) * (unsigned)FIGURE_WAVELENGTHS;
-    drawing.hidden |= (fnumbers > 1) * (unsigned)FIGURE_APERTURE;
+    drawing.hidden |= (VALUES(question.fnumber) > 1) * (unsigned)FIGURE_APERTURE;
     for (size_t i = 0; i < job->count; i++) {
         struct analysis_cursor at = analysis_begin_finding(job->inputs[i], &policy, job->run,
                                                            rms_find, sizeof(struct wavefront));

@@ -368,6 +368,10 @@ static bool diffraction_answer(const void *data, const struct photo_lens *lens, 
         .fnumber_coc = NAN,
     };
     if (diffraction_is_angles_alone(input, lens)) {
+        if (!isnan(input->frequency)) {
+            return fail(error, ERROR_USAGE,
+                        "{--frequency} needs {--focal-length} beside a diameter");
+        }
         return diffraction_resolve(input->diameter, row.setting.wavelength, &row.angles, error) &&
                (run_emit(run, &row), true);
     }
