@@ -31,6 +31,7 @@ struct disc_page {
     struct svg *svg;
     const struct dof_disc_drawing *disc;
     double x, turn;
+    const char *unnamed; /* f-numbers that have no room for their number; null: none */
 };
 
 static bool disc_claim(struct disc_row *row, double at, double width)
@@ -168,7 +169,7 @@ static void disc_draw_small(const struct disc_page *page)
 /* -------- the large disc -------- */
 
 /* The marks of one f-number, in the row where there is room; else without a number. */
-static void disc_pair(const struct disc_page *page, double N, struct disc_row rows[ROWS],
+static void disc_pair(struct disc_page *page, double N, struct disc_row rows[ROWS],
                       struct disc_row *ticks)
 {
     static const double bases[ROWS] = {366, 400, 434}, size = 23;
@@ -193,6 +194,11 @@ static void disc_pair(const struct disc_page *page, double N, struct disc_row ro
             rows[k] = before[k];
         }
     }
+    if (row == ROWS) {
+        page->unnamed = page->unnamed == NULL
+                            ? ARENA_JOIN(page->svg->arena, "f/", text)
+                            : ARENA_JOIN(page->svg->arena, "f/", text, ", ", page->unnamed);
+    }
     for (size_t side = 0; side < 2; side++) {
         if (row == ROWS && !disc_claim(ticks, at[side], 6 / SMALL)) {
             continue;
@@ -205,7 +211,7 @@ static void disc_pair(const struct disc_page *page, double N, struct disc_row ro
     }
 }
 
-static void disc_draw_large(const struct disc_page *page)
+static void disc_draw_large(struct disc_page *page)
 {
     const struct dof_disc_drawing *disc = page->disc;
     struct disc_row rows[ROWS] = {{.count = 0}, {.count = 0}, {.count = 0}}, ticks = {.count = 0};
@@ -268,6 +274,10 @@ bool dof_disc_draw(const struct dof_disc_drawing *disc, struct svg *svg, struct 
     svg_scale_bar(svg, "#000000", 60, 560, 1246);
     svg_words_within(svg, 590, 1256, 27, 1250, "#222222",
                      "50 mm where it is printed in true size (100 %)");
+    if (page.unnamed != NULL) {
+        svg_words_within(svg, 60, 150, 24, 1780, "#444444",
+                         ARENA_JOIN(svg->arena, "no room for the numbers of ", page.unnamed));
+    }
     svg_end(svg);
     return true;
 }
