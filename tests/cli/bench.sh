@@ -9,12 +9,14 @@ lenscalc bench double-gauss --quantity spot --rays 30 --degree 5 --columns $colu
 lenscalc bench double-gauss --quantity mtf --rays 30 --degree 3 --columns $columns,rays --csv | mask
 lenscalc bench double-gauss --quantity photograph --columns $columns,rays --csv | mask
 # times: a number, or none where turns do not agree
-lenscalc bench double-gauss --degree 3 --rays 12 --columns model,seconds,time_us,pareto --csv |
+lenscalc bench double-gauss --degree 3 --rays 12 --columns model,seconds,time_us,pareto --csv 2> said |
     awk -F, 'NR > 1 && $2 != "" && ($2 <= 0 || $2 > 1 || $3 < 999999 * $2) { print "bad " $0 }'
+grep -v "the machine is busy" said
 # what keeps an error: far out fewer do, and all that are exact
 lenscalc bench double-gauss --degree 3 --rays 12 --error 10um --csv --columns model,keeps_to_fnumber,keeps_to_field |
     awk -F, '{ print $1, ($2 > 0 ? "somewhere" : $2), ($3 > 0 ? "within" : $3) }' | sort -u
-lenscalc bench double-gauss --degree 3 --rays 12 --plot a.svg --columns model,seconds,pareto --csv > rows
+lenscalc bench double-gauss --degree 3 --rays 12 --plot a.svg --columns model,seconds,pareto --csv > rows 2> said
+grep -v "the machine is busy" said
 grep -c "Time against error" a.svg
 echo "refused:"
 lenscalc bench double-gauss --error 1kg --columns model; echo "status $?"
