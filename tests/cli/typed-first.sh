@@ -97,3 +97,10 @@ try lensmaker -f 20cm --index 1.5 --in water
 try refract --n1 1.5 --n2 1 --critical
 try fov 800mm --pixel 3.76um --binning 2
 csv panorama 50mm --overlap 30% --angle 180deg --columns arc,columns
+# messages use the name that was typed; a name that may be read in two ways is said to have been
+try conjugate -f 8cm --distance 75cm --columns image_distance
+try conjugate -f 8cm --distance 75foo
+try conjugate -f 8cm --distance 75cm --image 9cm
+try motion -f 50mm -s 10m --velocity 1..2..3
+try fov 50mm --sensor 1280x720px
+try diffraction --aperture 8in..11in:1in --columns diameter --csv

@@ -112,12 +112,13 @@ static const char *giving_column(const struct name_lookup *naming, const struct 
 static const char *given_by(void *context, struct text quantity, bool asked)
 {
     struct name_lookup *naming = context;
-    const struct option *possible = NULL;
+    const struct argument *possible = NULL;
     bool is_option = quantity.length > 2 && quantity.start[0] == '-';
     struct text name = {quantity.start + 2, quantity.length - 2};
     if (is_option) {
         const struct argument *argument = arguments_find(naming->arguments, name);
-        return argument != NULL ? giving_column(naming, argument->option) : NULL;
+        const char *column = argument != NULL ? giving_column(naming, argument->option) : NULL;
+        return column == NULL && argument != NULL ? argument->called : column;
     }
     for (size_t i = 0; i < naming->arguments->count; i++) {
         const struct argument *argument = &naming->arguments->all[i];
@@ -129,10 +130,13 @@ static const char *given_by(void *context, struct text quantity, bool asked)
             return column;
         }
         if (argument->is_given || (asked && possible == NULL)) {
-            possible = argument->option;
+            possible = argument;
         }
     }
-    return possible != NULL ? option_called(possible, &naming->room) : NULL;
+    if (possible == NULL || possible->called != NULL) {
+        return possible != NULL ? possible->called : NULL;
+    }
+    return option_called(possible->option, &naming->room);
 }
 
 void complain_name(struct error *error, const struct arguments *arguments,

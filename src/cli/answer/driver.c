@@ -236,6 +236,12 @@ static bool driver_prepare(struct driver *driver, int count, char **words, struc
         return false;
     }
     driver->reader.doubts = &driver->doubts;
+    for (size_t i = 0; i < driver->arguments.count; i++) {
+        const struct argument *argument = &driver->arguments.all[i];
+        if (argument->is_given && argument->reading != NULL) {
+            warnings_add(&driver->doubts, "%s", argument->reading);
+        }
+    }
     driver->report.command = command->name;
     driver->report.doubts = &driver->doubts;
     driver->run = (struct run){.arena = &driver->row_arena,

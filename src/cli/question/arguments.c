@@ -41,6 +41,7 @@ void arguments_withdraw(struct arguments *arguments, struct argument *argument)
     argument->is_given = false;
     argument->text = (struct text){NULL, 0};
     argument->entry = NULL;
+    argument->called = argument->reading = NULL;
     arguments_note_given(arguments);
 }
 
@@ -199,6 +200,16 @@ static bool arguments_take(const struct arguments *arguments, struct argument *a
     return true;
 }
 
+/* Messages about it use the name that was typed, unless it has been given by its own. */
+static void arguments_call(struct argument *argument, const struct trade_name *alias,
+                           const char *dashes, struct text name, struct arena *arena)
+{
+    if (!argument->is_given) {
+        argument->called = arena_printf(arena, "%s%.*s", dashes, text_shown(name), name.start);
+        argument->reading = alias->words;
+    }
+}
+
 /* --name, --name=value, --name value */
 static bool parse_long(struct arguments *arguments, struct text word, struct words *words,
                        struct error *error)
@@ -209,9 +220,10 @@ static bool parse_long(struct arguments *arguments, struct text word, struct wor
     const struct trade_name *alias;
     if (argument == NULL) {
         argument = named_by(arguments, name, trade_aliases, &alias);
-    }
-    if (argument == NULL) {
-        return arguments_unknown(arguments, name, "--", error);
+        if (argument == NULL) {
+            return arguments_unknown(arguments, name, "--", error);
+        }
+        arguments_call(argument, alias, "--", name, words->arena);
     }
     return arguments_take(arguments, argument, value, words, error);
 }
@@ -229,10 +241,12 @@ static bool parse_short(struct arguments *arguments, struct text word, struct wo
         }
         if (argument == NULL) {
             const struct trade_name *alias;
-            argument = named_by(arguments, (struct text){word.start, 1}, trade_aliases, &alias);
-        }
-        if (argument == NULL) {
-            return arguments_unknown(arguments, word, "-", error);
+            const struct text name = {word.start, 1};
+            argument = named_by(arguments, name, trade_aliases, &alias);
+            if (argument == NULL) {
+                return arguments_unknown(arguments, word, "-", error);
+            }
+            arguments_call(argument, alias, "-", name, words->arena);
         }
         struct text rest = {word.start + 1, word.length - 1};
         if (!is_flag(argument)) {

@@ -16,6 +16,8 @@ struct argument {
     struct text text; /* empty for a flag */
     size_t room;      /* characters behind its start that are its own; 0: it is a word as typed */
     const struct config_entry *entry; /* of the configuration; null: it was typed */
+    const char *called;  /* "--bellows", a name of the trade that was typed; null: its own */
+    const char *reading; /* what is said beside the answer of how that name was read; or null */
 };
 
 /* All options of a command: its own first, those of its artifacts, then the common ones. */

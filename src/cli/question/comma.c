@@ -20,9 +20,9 @@ static bool comma_check_markings(const struct option *option, struct text text, 
         const struct text item = text_cut(&rest, ',');
         if (memchr(item.start, 'x', item.length) == NULL) {
             fail(error, ERROR_USAGE,
-                 "--%s '%.*s' has a decimal comma: commas part the items of a "
+                 "%s '%.*s' has a decimal comma: commas part the items of a "
                  "list",
-                 option->name, text_shown(text), text.start);
+                 TYPED(option, text));
             return error_hint(error, "write it with a point: %s",
                               arena_printf(arena, "%.*s.%.*s", (int)i, text.start,
                                            (int)(text.length - i - 1), text.start + i + 1));
@@ -50,9 +50,9 @@ static void comma_doubt_filters(const struct reader *reader, const struct option
     }
     if (option->kind == &kind_loss && !is_alike && reader->doubts != NULL) {
         warnings_add(reader->doubts,
-                     "--%s %.*s is a list, a row for each filter alone; stacked ones are joined "
+                     "%s %.*s is a list, a row for each filter alone; stacked ones are joined "
                      "by '+', as in ND1000+2stops",
-                     option->name, text_shown(text), text.start);
+                     TYPED(option, text));
     }
 }
 

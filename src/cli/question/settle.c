@@ -9,7 +9,7 @@
 bool arguments_settle(struct arguments *arguments, struct arena *arena, struct error *error)
 {
     const size_t count = arguments->operand_count;
-    unit_moves_apply(arguments);
+    unit_moves_apply(arguments, arena);
     if (count == 0) {
         return true;
     }

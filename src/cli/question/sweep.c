@@ -26,7 +26,7 @@ struct sweep_values {
 
 static bool too_many(const struct option *option, struct error *error)
 {
-    fail(error, ERROR_USAGE, "--%s sweeps over more than a million values", option->name);
+    fail(error, ERROR_USAGE, "%s sweeps over more than a million values", CALLED(option));
     return error_hint(error, "use --force to allow it (up to 100 million)");
 }
 
@@ -90,8 +90,8 @@ static bool add_number(struct sweep_values *values, const struct sweep_range *ra
 static bool range_fail(const struct sweep_values *values, const struct sweep_range *range,
                        const char *what, struct error *error)
 {
-    return fail(error, ERROR_USAGE, "bad range in --%s '%.*s': %s", values->option->name,
-                text_shown(range->text), range->text.start, what);
+    return fail(error, ERROR_USAGE, "bad range in %s '%.*s': %s",
+                TYPED(values->option, range->text), what);
 }
 
 static bool sweep_is_letter(char c)
@@ -153,7 +153,7 @@ static bool sweep_blame(const struct sweep_values *values, struct text whole, st
     error_within(error, whole, part);
     const size_t at =
         error->caret > 0 ? (size_t)error->caret - 1 : (size_t)(part.start - whole.start);
-    return error_prefix(error, "bad range in --%s '%.*s' at character %zu: ", values->option->name,
+    return error_prefix(error, "bad range in %s '%.*s' at character %zu: ", CALLED(values->option),
                         text_shown(whole), whole.start, text_column(whole, at));
 }
 
@@ -457,7 +457,7 @@ static bool set_values(struct sweep *sweep, struct sweep_values *values, struct 
     do {
         struct text item = is_one ? text : text_trim(text_cut(&rest, separator));
         if (item.length == 0 && !is_one) {
-            return fail(error, ERROR_USAGE, "--%s '%.*s' has an empty item", values->option->name,
+            return fail(error, ERROR_USAGE, "%s '%.*s' has an empty item", CALLED(values->option),
                         text_shown(text), text.start);
         }
         if (!add_item(values, item, error)) {
@@ -481,6 +481,12 @@ static bool set_option(struct sweep *sweep, const struct argument *argument,
                        const struct reader *reader, bool force, void *member, struct error *error)
 {
     const struct option *option = argument->option;
+    if (argument->called != NULL) {
+        struct option *typed = ARENA_ARRAY(reader->arena, 1, struct option);
+        *typed = *option;
+        typed->called = argument->called;
+        option = typed;
+    }
     struct reader plain = {.db = reader->db, .arena = reader->arena, .fallback = true};
     struct sweep_values values = {.reader = reader, .option = option, .force = force};
     option_clear(option, member);

@@ -7,7 +7,8 @@
 struct trade_name {
     const char *names, *option;
     const char *command; /* the one where they mean it; null: any */
-    const char *words;   /* of a hint: what is said in place of the option's help; or null */
+    const char *words;   /* of a hint: what is said in place of the option's help; of an alias: how
+                            it was read, beside the answer; or null */
 };
 
 /* Those that mean the same quantity in whichever command the option is: they are taken for it.

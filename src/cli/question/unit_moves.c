@@ -13,13 +13,16 @@ static const struct unit_move {
     {"sensor", "pixels", &dimension_pixels},
 };
 
-/* "200mm", and of "1280x720px" what stands behind the x. */
+/* "200mm"; of "1280x720px" what stands behind the x, of a list or range the last one. */
 static bool text_has_unit_of(struct text text, const struct dimension *dimension)
 {
     struct text last = text_trim(text);
     for (size_t i = last.length; i > 0; i--) {
-        if (last.start[i - 1] == 'x' && i < last.length && char_is_digit(last.start[i])) {
-            last = (struct text){last.start + i, last.length - i};
+        const char c = last.start[i - 1];
+        const bool is_side = c == 'x' && i < last.length && char_is_digit(last.start[i]);
+        const bool is_end = c == '.' && i > 1 && last.start[i - 2] == '.';
+        if (is_side || is_end || c == ',' || c == ':') {
+            last = text_trim((struct text){last.start + i, last.length - i});
             break;
         }
     }
@@ -30,7 +33,7 @@ static bool text_has_unit_of(struct text text, const struct dimension *dimension
            quantity_read(last, dimension, NULL, &value, &unit, &ignored) && unit != NULL;
 }
 
-void unit_moves_apply(struct arguments *arguments)
+void unit_moves_apply(struct arguments *arguments, struct arena *arena)
 {
     for (size_t i = 0; i < sizeof unit_moves / sizeof unit_moves[0]; i++) {
         const struct unit_move *move = &unit_moves[i];
@@ -41,6 +44,8 @@ void unit_moves_apply(struct arguments *arguments)
             to->text = from->text;
             to->is_given = true;
             to->entry = from->entry;
+            to->called =
+                from->called != NULL ? from->called : arena_printf(arena, "--%s", move->from);
             arguments_withdraw(arguments, from);
         }
     }

@@ -9,6 +9,6 @@
  * Give them to that option where the command has it and it is not given: --aperture 200mm of a
  * telescope is its diameter, -f 638px a focal length in pixels, --sensor 1280x720px their number.
  */
-void unit_moves_apply(struct arguments *arguments);
+void unit_moves_apply(struct arguments *arguments, struct arena *arena);
 
 #endif

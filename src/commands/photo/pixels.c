@@ -72,7 +72,8 @@ bool pixels_settle(const struct pixels_question *question, struct sensor_value *
         return size_of_pixels(question, sensor, arena, error);
     }
     if (is_counted && sensor->is_fallback) {
-        return fail(error, ERROR_USAGE, "{--pixels} needs {--sensor} or {--pitch}");
+        return fail(error, ERROR_USAGE,
+                    "pixels need a size: give {--pitch}, or the size of the sensor as {--sensor}");
     }
     if (is_counted) {
         count_pixels(question, sensor, arena, doubts);
