@@ -15,3 +15,10 @@ for words in '-N 0' '--near 0.1 -f 150' '--near 2' '--frequency 10' '-N 8 --film
     echo "status $?"
 done
 lenscalc diffraction --aperture 11in --frequency 40
+# of a diameter alone there are angles, and no image
+lenscalc diffraction --aperture 11in,8in --csv --columns diameter,rayleigh --digits 6
+for words in '--pitch 4um' '-c 0.03' '--sensor aps-c' '--print A2' '--film 60' '-P 2'; do
+    lenscalc diffraction --aperture 11in $words
+    echo "status $?"
+done
+lenscalc diffraction --aperture 0in

@@ -25,7 +25,7 @@ PHOTOGRAPHIC = {
     "bracket": ("--from 30s --to 1/1000", "-t 1/60 --shots 5", "-t 1/60 --range 6"),
     "motion": ("-f 50 -s 10 --speed 5km/h", "-f 50 -s 10 -t 1/60"),
     "stars": ("-f 24 -N 5.6", "-f 24 -N 5.6 -t 20"),
-    "diffraction": ("-N 5.6", "-N 5.6 -f 50", "-f 50 --near 2 --far 10"),
+    "diffraction": ("-N 5.6", "-N 5.6 -f 50", "-f 50 --near 2 --far 10", "--diameter 200mm"),
     "pinhole": ("-f 150 --metered 1/60", "-f 150 --diameter 0.4 -s 1"),
     "equivalent": ("-f 50 -N 5.6 --sensor 4/3", "--lens double-gauss -N 5.6 --sensor 4/3"),
     "tilt": ("-f 90 -N 5.6 --tilt 5 -s 0.6", "-f 90 -N 5.6"),

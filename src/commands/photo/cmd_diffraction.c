@@ -309,6 +309,19 @@ static bool check_best(const struct diffraction_input *input, const struct sharp
     return true;
 }
 
+/* Beside a diameter alone nothing is known of the image. */
+static bool check_angles(const struct diffraction_input *input, const struct sharpness *sharp,
+                         struct error *error)
+{
+    const char *idle =
+        SAID_FIRST({!isnan(input->frequency), "frequency"}, {!input->sharp.coc.is_fallback, "coc"},
+                   {sharp->coc.coc.kind == COC_PRINT, "print"}, {!isnan(sharp->pitch), "pitch"},
+                   {!sharp->sensor.is_fallback, "sensor"}, {!isnan(input->film), "film"},
+                   {input->defocus > 0, "defocus"}, {!isnan(input->lens.pupil), "pupil"});
+    return idle == NULL ||
+           fail(error, ERROR_USAGE, "{--%s} needs {--focal-length} beside a diameter", idle);
+}
+
 /* As given, or what a numerical aperture or a diameter makes it; NaN: nothing does. */
 static double diffraction_fnumber_of(const struct diffraction_input *input,
                                      const struct photo_lens *lens)
@@ -368,11 +381,8 @@ static bool diffraction_answer(const void *data, const struct photo_lens *lens, 
         .fnumber_coc = NAN,
     };
     if (diffraction_is_angles_alone(input, lens)) {
-        if (!isnan(input->frequency)) {
-            return fail(error, ERROR_USAGE,
-                        "{--frequency} needs {--focal-length} beside a diameter");
-        }
-        return diffraction_resolve(input->diameter, row.setting.wavelength, &row.angles, error) &&
+        return check_angles(input, sharp, error) &&
+               diffraction_resolve(input->diameter, row.setting.wavelength, &row.angles, error) &&
                (run_emit(run, &row), true);
     }
     if (isnan(N) && !isnan(input->frequency)) {
