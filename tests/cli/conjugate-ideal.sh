@@ -46,3 +46,5 @@ refused -f 8cm --object 12cm -N 4
 refused -f 8cm --object 12cm --gap 14cm
 refused double-gauss -f 8cm --object 12cm
 refused double-gauss --object 12cm -m 2
+# in front of the focus of a mirror images are positive: so is the one at infinity
+lenscalc conjugate --mirror concave -f 6cm --object 6cm,7cm --columns image_distance,image_kind,image_focal --csv

@@ -76,10 +76,9 @@ static const struct column ideal_columns[] = {
 const struct sheet conjugate_ideal_sheet = SHEET(ideal_columns, ROW);
 
 /* Textbooks measure images where the light goes: those of a mirror in front of it. */
-static void conjugate_turn_image(struct conjugate_row *row)
+static double conjugate_turned(double image)
 {
-    row->image = -row->image;
-    row->all.image_focal = -row->all.image_focal;
+    return isinf(image) ? image : -image; /* at infinity it is on no side */
 }
 
 /* What is said of thin lenses and mirrors alone. */
@@ -103,7 +102,8 @@ void conjugate_fill_ideal(const struct conjugate_input *input, const struct lens
     }
     row->step = step != NULL ? step : "all";
     if (is_mirror) {
-        conjugate_turn_image(row);
+        row->image = conjugate_turned(row->image);
+        row->all.image_focal = conjugate_turned(row->all.image_focal);
         row->from = "the mirror";
     }
     const double s = row->all.object;
