@@ -79,6 +79,13 @@ bool problem_check_count(const struct problem *p, struct error *error)
         prefix_list(error, target_words, TARGET_WORDS, p->open);
         return error_prefix(error, "nothing is left to solve for: leave out ");
     }
+    if (have > 0) {
+        fail(error, ERROR_USAGE, " alone: give %u of them, or more that is wanted", wanted - have);
+        prefix_list(error, target_words, TARGET_WORDS, p->open);
+        error_prefix(error, " cannot be found from ");
+        prefix_list(error, unknown_words, UNKNOWN_WORDS, p->unknown);
+        return false;
+    }
     fail(error, ERROR_USAGE,
          " missing: give %s, or say what is wanted by {near limit}, {far limit}, {depth of field}, "
          "{hyperfocal distance} or {magnification}",

@@ -104,3 +104,5 @@ try conjugate -f 8cm --distance 75cm --image 9cm
 try motion -f 50mm -s 10m --velocity 1..2..3
 try fov 50mm --sensor 1280x720px
 try diffraction --aperture 8in..11in:1in --columns diameter --csv
+try focus 200mm --reversed 50mm
+try dof -m 0 -N 11 -c 0.015mm

@@ -222,7 +222,8 @@ static void test_refusals(void)
         enum error_code code;
         const char *part; /* of the message */
     } bad[] = {
-        {{50, no, 0.03, no, 1}, {2000, no, no, no, no}, ERROR_USAGE, "f-number, distance miss"},
+        {{50, no, 0.03, no, 1}, {2000, no, no, no, no}, ERROR_USAGE, "limit alone: give 1 of"},
+        {{50, no, 0.03, no, 1}, {no, no, no, no, no}, ERROR_USAGE, "f-number, distance miss"},
         {{50, 4, 0.03, no, 1}, {2000, 3000, no, no, no}, ERROR_USAGE, "nothing is left"},
         {{50, no, no, 2000, 1}, {1900, no, no, 9000, no}, ERROR_USAGE, "product only"},
         {{50, 4, 0.03, no, 1}, {no, no, no, 9000, no}, ERROR_USAGE, "distance cannot be found"},

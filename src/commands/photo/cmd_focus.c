@@ -208,7 +208,15 @@ static bool focus_row_solve(const struct focus_input *input, const struct photo_
     if (attaches && isnan(given.s) && isnan(given.v) && isnan(given.m) && isnan(given.T)) {
         given.m = 0;
     }
-    return conjugates_solve(&given, c, error) || photo_lens_hint_virtual(lens, given.s, error);
+    if (conjugates_solve(&given, c, error)) {
+        return true;
+    }
+    if (input->reversed && error->code == ERROR_DOMAIN && given.s <= lens->f) {
+        return error_hint(error,
+                          "a lens of %.6gmm in reverse in front of this one is {--stacked} %.6gmm",
+                          given.s, given.s);
+    }
+    return photo_lens_hint_virtual(lens, given.s, error);
 }
 
 /* What is the same for lenses with and without attachments. */
