@@ -130,6 +130,23 @@ def check_widths(checks, program):
             checks.check(not missing, f"{name} at {width}: no {missing}")
 
 
+def check_words(checks, program):
+    """Words stand where they belong: panels' titles below the title, notes whole, labels level."""
+    for width in ("40", "80", "200"):
+        def shown(*words, columns=width):
+            return program.run(*words, "term", variables={"COLUMNS": columns}).stdout.decode()
+        sums = shown("seidel", "double-gauss", "--plot")
+        places = [sums.find(words) for words in ("Seidel sums of", "S1 spherical", "S2 coma")]
+        checks.check(0 <= places[0] < places[1] < places[2], f"seidel at {width}: {places}")
+        for lens in ("double-gauss", "fisheye-16"):
+            section = shown("draw", lens, "-o")
+            note = "the oblique bundle is cut by the clear apertures of the elements"
+            checks.check(note in " ".join(section.split()), f"{lens} at {width}: no note: {section}")
+            split = [line for line in section.split("\n")
+                     if line.count("\u00b7") != len(re.findall("[0-9] \u00b7 1\\.[0-9]", line))]
+            checks.check(not split, f"{lens} at {width}: labels not in a line: {split}")
+
+
 def cells_of(text):
     """Colours of the half blocks of a text in 24 bits: rows of (upper, lower)."""
     rows = []
@@ -457,7 +474,7 @@ def main():
     for check in (check_half_blocks, check_sixel, check_kitty):
         check(checks, program, png)
     on_terminals = (check_asked, check_colours)
-    for check in (check_curve, check_widths, check_places, check_files,
+    for check in (check_curve, check_widths, check_words, check_places, check_files,
                   *(on_terminals if has_terminals() else ())):
         check(checks, program)
     checks.finish()

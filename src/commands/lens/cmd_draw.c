@@ -31,7 +31,8 @@ static const struct option options[] = {
     {ASKED(iso10110), .name = "iso10110", .wants = "element",
      .excludes = "planes construction no-rays list",
      .help = "a drawing of one element for the shop, in the tabular form of ISO 10110"},
-    {ASKED(title), .name = "title", .value = "TEXT", .help = "title in place of the lens's own"},
+    {ASKED(title), .name = "title", .value = "TEXT", .flags = OPTION_EMPTY,
+     .help = "title in place of the lens's own"},
 };
 
 static bool draw_check(const struct artifact_job *job, struct error *error)

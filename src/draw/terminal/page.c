@@ -76,18 +76,28 @@ static void page_read(struct page *page, struct text drawing)
     }
 }
 
-/* Above all that is drawn, from the left or about the middle: its title, with lines of its own. */
+/*
+ * A line above all that is drawn, from the left or about the middle: of the title. One right on top
+ * of it is the title of a panel.
+ */
 static bool shape_is_head(const struct page *page, const struct svg_shape *shape)
 {
     const bool is_middle = shape->anchor == 0 && fabs(2 * shape->x[0] - page->width) < 2;
-    return shape_is_words(shape) && !shape_is_turned(shape) && shape->y[0] < page->drawn.top &&
-           (shape->anchor < 0 || is_middle);
+    return shape_is_words(shape) && !shape_is_turned(shape) &&
+           shape->y[0] + shape->size < page->drawn.top && (shape->anchor < 0 || is_middle);
 }
 
 /* Middle of a line of letters, px. */
 static double shape_middle(const struct svg_shape *shape)
 {
     return shape->y[0] - 0.35 * shape->size;
+}
+
+/* A line below all that is drawn, from the left. */
+static bool shape_is_note(const struct page *page, const struct svg_shape *shape)
+{
+    return shape_is_words(shape) && !shape_is_turned(shape) && shape->anchor < 0 &&
+           shape->y[0] - shape->size > page->drawn.bottom;
 }
 
 /* -------- the scale -------- */
@@ -112,7 +122,7 @@ static bool page_try_scale(struct page *page, double scale)
         for (size_t i = 0; i < page->count; i++) {
             const struct svg_shape *shape = &page->shapes[i];
             if (!shape_is_words(shape) || shape_is_turned(shape) || shape_is_head(page, shape) ||
-                shape_cells(shape) > most) {
+                shape_is_note(page, shape) || shape_cells(shape) > most) {
                 continue;
             }
             const double left = shape_cells_left(shape), right = shape_cells(shape) - left;
@@ -157,8 +167,8 @@ static void page_find_scale(struct page *page)
 /* -------- words -------- */
 
 /* Words over the whole width, broken at blanks. */
-static void head_put(const struct page *page, const struct svg_shape *shape,
-                     struct text_buffer *lines)
+static void words_put(const struct page *page, const struct svg_shape *shape,
+                      struct text_buffer *lines)
 {
     struct text rest = shape->words;
     const struct cell_ink ink = {.is_set = false};
@@ -253,9 +263,10 @@ static bool words_stack(const struct page *page, const struct svg_shape *shape, 
     bool has_others = false;
     for (size_t i = 0; i < page->count; i++) {
         const struct svg_shape *other = &page->shapes[i];
+        const double across = fabs(other->x[0] - shape->x[0]);
         has_others =
             has_others || (other != shape && shape_is_words(other) && shape_is_turned(other) &&
-                           fabs(other->x[0] - shape->x[0]) * page->scale < 2);
+                           across * page->scale < 2 && across < fabs(other->y[0] - shape->y[0]));
     }
     for (long i = 0; i < count && has_others; i++) {
         has_others = cells_are_free(&page->cells, column, first + i, 1, false);
@@ -338,8 +349,9 @@ void page_draw(struct text drawing, const struct page_view *view, struct arena *
         const struct svg_shape *shape = &page.shapes[i];
         has_turned = has_turned || (shape_is_words(shape) && shape_is_turned(shape));
         if (shape_is_head(&page, shape)) {
-            head_put(&page, shape, lines);
-        } else if (shape_is_words(shape) && !shape_is_turned(shape)) {
+            words_put(&page, shape, lines);
+        } else if (shape_is_words(shape) && !shape_is_turned(shape) &&
+                   !shape_is_note(&page, shape)) {
             top = fmin(top, shape_middle(shape));
             bottom = fmax(bottom, shape_middle(shape));
         }
@@ -357,10 +369,15 @@ void page_draw(struct text drawing, const struct page_view *view, struct arena *
     }
     for (size_t i = 0; i < page.count; i++) {
         const struct svg_shape *shape = &page.shapes[i];
-        if (shape_is_words(shape) && !shape_is_head(&page, shape) &&
+        if (shape_is_words(shape) && !shape_is_head(&page, shape) && !shape_is_note(&page, shape) &&
             words_are_on_page(&page, shape)) {
             page_draw_words(&page, shape);
         }
     }
     cells_put(&page.cells, lines);
+    for (size_t i = 0; i < page.count; i++) {
+        if (shape_is_note(&page, &page.shapes[i]) && words_are_on_page(&page, &page.shapes[i])) {
+            words_put(&page, &page.shapes[i], lines);
+        }
+    }
 }

@@ -21,7 +21,7 @@ struct page_view {
  * Given     drawing  as draw/svg.h writes it
  *           view     where
  *           lines    receives the lines: first the words that stand above all else in the drawing,
- *                    its title, over the whole width
+ *                    its title, and last its notes, which stand below, over the whole width
  * Result    Lengths across and down have one scale, as a cell is twice as high as wide; words are
  *           characters, and where two would meet, the later one moves a little, is cut, or, a
  *           number of an axis, left out. Words that are turned stand upright above what they
