@@ -261,26 +261,25 @@ static bool wavefront_run(const void *data, struct run *run, struct error *error
 
 static const double FAR_WORSE = 4; /* peak to valley of maps on one page that share no scale */
 
-/* The values of a map, and the figures that its rows have. */
+/* The values of a map, and of a drawing the figures that its rows have. */
 struct wavefront_map_found {
+    struct wavefront_source source;
     const double *values;
     struct wavefront figures;
     size_t size;
 };
 
-static bool wavefront_map_find(const struct analysis_cursor *at, const struct analysis_case *one,
-                               size_t field, void *room, struct error *error)
+static bool wavefront_values_find(const struct analysis_cursor *at, const struct analysis_case *one,
+                                  size_t field, void *room, struct error *error)
 {
     const struct wavefront_input *input = at->input;
     struct arena *arena = one->setup->arena;
     struct wavefront_map_found *found = room;
-    struct wavefront_source source;
-    found->size = (size_t)input->size;
-    if (!wavefront_field_open(at, one, field, false, &source, error) ||
-        !wavefront_find(&source, true, arena, &found->figures, error)) {
+    *found = (struct wavefront_map_found){.size = (size_t)input->size, .figures.pv = NAN};
+    if (!wavefront_field_open(at, one, field, false, &found->source, error)) {
         return false;
     }
-    const double *values = wavefront_map(&source, found->size, arena);
+    const double *values = wavefront_map(&found->source, found->size, arena);
     if (input->fringes) {
         found->values = values;
         return true;
@@ -297,6 +296,14 @@ static bool wavefront_map_find(const struct analysis_cursor *at, const struct an
     }
     found->values = levelled;
     return true;
+}
+
+static bool wavefront_map_find(const struct analysis_cursor *at, const struct analysis_case *one,
+                               size_t field, void *room, struct error *error)
+{
+    struct wavefront_map_found *found = room;
+    return wavefront_values_find(at, one, field, room, error) &&
+           wavefront_find(&found->source, true, one->setup->arena, &found->figures, error);
 }
 
 static bool wavefront_map_add(struct map_page *page, const struct analysis_cursor *at,
@@ -347,7 +354,8 @@ static bool wavefront_maps(const struct artifact_job *job, struct output *sink, 
             input.size = drawn ? DRAWN_SIZE : MAP_SIZE;
         }
         struct analysis_cursor at = analysis_begin_finding(
-            &input, &policy, job->run, wavefront_map_find, sizeof(struct wavefront_map_found));
+            &input, &policy, job->run, drawn ? wavefront_map_find : wavefront_values_find,
+            sizeof(struct wavefront_map_found));
         at.keeps_lost = true;
         while (analysis_next(&at, error)) {
             if (at.lost != NULL) {
