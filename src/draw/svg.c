@@ -277,7 +277,8 @@ static void put_fitting(struct svg *svg, const char *text, double size, bool bol
 void svg_text(struct svg *svg, const struct svg_label *label, const char *text)
 {
     static const char *const anchors[] = {"", " text-anchor=\"middle\"", " text-anchor=\"end\""};
-    if (text == NULL || !svg_all_finite(label->x, label->y, label->size, label->rotation)) {
+    if (text == NULL || text[0] == '\0' ||
+        !svg_all_finite(label->x, label->y, label->size, label->rotation)) {
         return;
     }
     svg_write(svg, "<text x=\"#\" y=\"#\" font-size=\"#\"$$ fill=\"$\" stroke=\"none\"", label->x,
@@ -291,32 +292,25 @@ void svg_text(struct svg *svg, const struct svg_label *label, const char *text)
     svg_put(svg, "</text>\n");
 }
 
-/* A text of which is remembered where it stands. */
-static struct svg_slot svg_slot_text(struct svg *svg, const struct svg_label *label,
-                                     const char *text)
+/* A text of which is remembered where it stands; of several the first. */
+static void svg_slot_text(struct svg *svg, struct svg_slot *slot, const struct svg_label *label,
+                          const char *text)
 {
-    struct svg_slot slot = {true, 0, 0, label->size, label->width, label->bold};
-    svg_text(svg, label, text != NULL ? text : "");
-    slot.end = svg->length - strlen("</text>\n");
-    slot.start = slot.end;
-    /* what a text holds is escaped: the last '>' before it that ends no part of it */
-    while (strncmp(svg->data + slot.start, "<text ", 6) != 0) {
-        slot.start--;
+    const size_t start = svg->length;
+    svg_text(svg, label, text);
+    if (!slot->is_there) {
+        *slot = (struct svg_slot){true, start, svg->length, *label};
     }
-    slot.start += strcspn(svg->data + slot.start, ">") + 1;
-    return slot;
 }
 
 void svg_title(struct svg *svg, const struct svg_label *label, const char *text)
 {
-    const struct svg_slot slot = svg_slot_text(svg, label, text);
-    svg->title = svg->title.is_there ? svg->title : slot;
+    svg_slot_text(svg, &svg->title, label, text);
 }
 
 void svg_subtitle(struct svg *svg, const struct svg_label *label, const char *text)
 {
-    const struct svg_slot slot = svg_slot_text(svg, label, text);
-    svg->subtitle = svg->subtitle.is_there ? svg->subtitle : slot;
+    svg_slot_text(svg, &svg->subtitle, label, text);
 }
 
 void svg_words(struct svg *svg, double x, double y, double size, enum svg_anchor anchor,
@@ -324,7 +318,7 @@ void svg_words(struct svg *svg, double x, double y, double size, enum svg_anchor
 {
     svg_text(svg,
              &(struct svg_label){.x = x, .y = y, .size = size, .anchor = anchor, .colour = colour},
-             text != NULL ? text : "");
+             text);
 }
 
 void svg_words_within(struct svg *svg, double x, double y, double size, double width,
@@ -332,7 +326,7 @@ void svg_words_within(struct svg *svg, double x, double y, double size, double w
 {
     svg_text(svg,
              &(struct svg_label){.x = x, .y = y, .size = size, .width = width, .colour = colour},
-             text != NULL ? text : "");
+             text);
 }
 
 void svg_words_upwards(struct svg *svg, double x, double y, double size, const char *text)
@@ -340,7 +334,7 @@ void svg_words_upwards(struct svg *svg, double x, double y, double size, const c
     svg_text(
         svg,
         &(struct svg_label){.x = x, .y = y, .size = size, .rotation = -90, .anchor = SVG_MIDDLE},
-        text != NULL ? text : "");
+        text);
 }
 
 void svg_heading(struct svg *svg, double x, double y, double size, double width, const char *text)
@@ -422,7 +416,7 @@ static void put_in_theme(struct svg *svg, enum palette_theme theme, const char *
 {
     static const char *const attributes[] = {"fill=\"#", "stroke=\"#"};
     const char *end = start + length, *kept = start;
-    for (const char *at = start; theme != PALETTE_LIGHT && at < end;) {
+    for (const char *at = start; at < end;) {
         const char *mark = memchr(at, '#', (size_t)(end - at));
         if (mark == NULL) {
             break;
@@ -454,19 +448,28 @@ struct svg svg_dress(const struct svg *drawing, const struct svg_dress *dress)
     } words[] = {{&drawing->name, dress->title},
                  {&drawing->title, dress->title},
                  {&drawing->subtitle, dress->subtitle}};
-    struct svg dressed = {.arena = drawing->arena};
-    if (dress->theme == PALETTE_LIGHT && dress->title == NULL && dress->subtitle == NULL) {
-        return *drawing;
-    }
+    struct svg worded = {.arena = drawing->arena}, dressed = worded;
     size_t done = 0;
     for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
         const struct svg_slot *slot = words[i].slot;
-        if (slot->is_there && words[i].text != NULL && slot->start >= done) {
-            put_in_theme(&dressed, dress->theme, drawing->data + done, slot->start - done);
-            put_fitting(&dressed, words[i].text, slot->size, slot->bold, slot->width);
-            done = slot->end;
+        if (!slot->is_there || words[i].text == NULL || slot->start < done) {
+            continue;
         }
+        put_bytes(&worded, drawing->data + done, slot->start - done);
+        if (slot == &drawing->name) {
+            put_fitting(&worded, words[i].text, 0, false, 0);
+        } else {
+            svg_text(&worded, &slot->label, words[i].text);
+        }
+        done = slot->end;
     }
-    put_in_theme(&dressed, dress->theme, drawing->data + done, drawing->length - done);
+    if (done == 0 && dress->theme == PALETTE_LIGHT) {
+        return *drawing;
+    }
+    put_bytes(&worded, drawing->data + done, drawing->length - done);
+    if (dress->theme == PALETTE_LIGHT) {
+        return worded;
+    }
+    put_in_theme(&dressed, dress->theme, worded.data, worded.length);
     return dressed;
 }

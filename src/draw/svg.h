@@ -11,12 +11,23 @@
 
 struct arena;
 
-/* Where words of a drawing stand, and how: its name, title or subtitle. */
+enum svg_anchor { SVG_START, SVG_MIDDLE, SVG_END };
+
+struct svg_label {
+    double x, y;            /* of the anchor, on the base line */
+    double size;            /* of the font, px */
+    double rotation;        /* degrees, clockwise, about the anchor */
+    double width;           /* px; a longer text is cut and ends in an ellipsis; 0 = any length */
+    enum svg_anchor anchor; /* which point of the text lies on x, y */
+    const char *colour;     /* null = black */
+    bool bold;
+};
+
+/* The title of a drawing, or its subtitle; a null text is an empty one. */
 struct svg_slot {
     bool is_there;
-    size_t start, end;  /* bytes of data: what is between <text ...> and </text> */
-    double size, width; /* of the font and, if above 0, of the room, px */
-    bool bold;
+    size_t start, end; /* bytes of data: all of <text ...>...</text>, none of an empty one */
+    struct svg_label label;
 };
 
 /*
@@ -29,7 +40,8 @@ struct svg {
     struct arena *arena; /* owns data; what it outgrows stays there until the arena is freed */
     char *data;          /* UTF-8, a NUL behind; null before svg_begin */
     size_t length, capacity;
-    struct svg_slot name, title, subtitle; /* what svg_dress may change */
+    /* What svg_dress may change; of the name the bytes between <title> and </title>. */
+    struct svg_slot name, title, subtitle;
 };
 
 /* How the shapes of a group are drawn; { 0 } draws nothing. */
@@ -39,18 +51,6 @@ struct svg_style {
     const char *dash;   /* lengths of dashes and gaps, px, as "6 4"; null = solid */
     double width;       /* of lines, px; 0 = 1 */
     double opacity;     /* 0 < opacity <= 1; 0 = 1 */
-};
-
-enum svg_anchor { SVG_START, SVG_MIDDLE, SVG_END };
-
-struct svg_label {
-    double x, y;            /* of the anchor, on the base line */
-    double size;            /* of the font, px */
-    double rotation;        /* degrees, clockwise, about the anchor */
-    double width;           /* px; a longer text is cut and ends in an ellipsis; 0 = any length */
-    enum svg_anchor anchor; /* which point of the text lies on x, y */
-    const char *colour;     /* null = black */
-    bool bold;
 };
 
 /* The head, with the drawing's title (null = none) and a white page. */
@@ -87,7 +87,7 @@ void svg_image(struct svg *svg, double x, double y, double width, double height,
 
 /*
  * Text in UTF-8, escaped, as draw/typeset.h sets it: "_{d}" is a subscript. What XML cannot hold is
- * shown as '?'. Null: nothing is written.
+ * shown as '?'. Null or empty: nothing is written.
  */
 void svg_text(struct svg *svg, const struct svg_label *label, const char *text);
 
