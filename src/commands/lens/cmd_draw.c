@@ -9,7 +9,6 @@ struct draw_input {
     struct lens_question question;
     bool planes, construction, no_rays, list, iso10110;
     long element; /* from 1; NO_INTEGER = not asked for */
-    const char *title;
 };
 
 #define INPUT struct draw_input
@@ -31,8 +30,6 @@ static const struct option options[] = {
     {ASKED(iso10110), .name = "iso10110", .wants = "element",
      .excludes = "planes construction no-rays list",
      .help = "a drawing of one element for the shop, in the tabular form of ISO 10110"},
-    {ASKED(title), .name = "title", .value = "TEXT", .flags = OPTION_EMPTY,
-     .help = "title in place of the lens's own"},
 };
 
 static bool draw_check(const struct artifact_job *job, struct error *error)
@@ -128,7 +125,7 @@ static bool draw_draw(const struct artifact_job *job, struct output *sink, struc
     struct layout *layouts = ARENA_ARRAY(arena, most, struct layout);
     const double *heights = draw_heights(input, &policy, arena);
     size_t count = 0;
-    struct section section = {.title = input->title, .views = views, .faint = input->construction};
+    struct section section = {.views = views, .faint = input->construction};
     while (count < most && lens_next(&at, error)) {
         if (!draw_layout(input, &at.one, heights, &layouts[count], error)) {
             return false;
@@ -136,7 +133,7 @@ static bool draw_draw(const struct artifact_job *job, struct output *sink, struc
         const struct setup *setup = at.one.setup;
         const char *caption = draw_caption(&at.one);
         views[count] = (struct section_view){setup->position, caption, &layouts[count]};
-        section.title = input->title != NULL ? input->title : setup->lens->title;
+        section.title = setup->lens->title;
         section.subtitle = arena_printf(
             arena, "%s%s%s, at %.5g nm", caption, setup->position != NULL ? ", position " : "",
             setup->position != NULL ? setup->position : "", 1000 * at.one.light.wavelength);
