@@ -19,6 +19,7 @@ say check nikkor-z-14-24 --position wide,tele --plot check.svg
 say pupil double-gauss --field 0,5 --columns error --plot pupils.eps
 say lensmaker --r1 50 --r2 -50 -n 1.5 --lens-file lens.zmx
 say draw double-gauss -o lens.tif
+say draw double-gauss -o lens.txt
 say draw double-gauss -N 2,4
 say convert double-gauss -o lens
 say convert double-gauss -o lens --to json && head -c 1 lens && echo
@@ -27,7 +28,7 @@ say fit --glass glass.csv --formula cauchy --terms 2 --columns rms -o glass.lens
 say fit --glass glass.csv --formula cauchy --terms 2 --columns rms --name MINE
 say fit double-gauss --columns efl_mm -o lens.tsv
 say fit double-gauss --columns efl_mm -o fitted
-# any other name will do where only one thing can be written
+# a drawing's name says so, whatever else it might be; a device has none to say it by
 say dof -f 50 -N 4 -s 3 --csv --columns near_m --digits 4 --scale scale
-head -c 5 scale; echo
+lenscalc dof -f 50 -N 4 -s 3 --csv --columns near_m --digits 4 --scale /dev/null
 ls

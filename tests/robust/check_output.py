@@ -220,7 +220,7 @@ def check_links(checks, program):
     with tempfile.TemporaryDirectory() as folder:
         os.mkdir(os.path.join(folder, "sub"))
         for name, target in (("dangling", "later"), ("far", "sub/far"), ("sub/back", "../later2"),
-                             ("one", "two"), ("two", "one"), ("nowhere", "no/x"), ("x", "y.svg")):
+                             ("one", "two"), ("two", "one"), ("nowhere", "no/x"), ("x.svg", "y.svg")):
             os.symlink(target, os.path.join(folder, name))
         for name, target in (("dangling", "later"), ("dangling", "later"), ("far", "sub/far"),
                              ("sub/back", "later2")):
@@ -231,7 +231,8 @@ def check_links(checks, program):
                 checks.check(file.read().startswith("focal_mm"), f"-o {name}: {target} is not it")
         for name in ("one", "nowhere"):
             check_failed(checks, f"-o {name}", program.run(*DOF, "-o", name, cwd=folder), "cannot")
-        for first, second in (("x", "y.svg"), ("y.svg", "x"), ("x", "./sub/../y.svg")):
+        for first, second in (("x.svg", "y.svg"), ("y.svg", "x.svg"),
+                              ("x.svg", "./sub/../y.svg")):
             result = program.run(*DOF, "--scale", first, "-o", second, cwd=folder)
             checks.check(result.returncode == 2 and b"write the same file" in result.stderr,
                          f"--scale {first} -o {second}: {result.stderr!r}")
@@ -290,10 +291,10 @@ def check_full_disk(checks, program):
         for words, option in ((SWEEP, "-o"), (["list", "cameras", "--csv"], "-o"),
                               (["dof", "-f", "50", "-N", "4", "-s", "1..10"], "--plot"),
                               (DOF, "--scale")):
-            script = (f"ulimit -f 4; lenscalc {' '.join(words)} {option} big.out "
+            script = (f"ulimit -f 4; lenscalc {' '.join(words)} {option} big.svg "
                       f"> /dev/null")
             result = program.shell(script, folder)
-            check_failed(checks, f"{' '.join(words)} {option} on a full disk", result, "big.out")
+            check_failed(checks, f"{' '.join(words)} {option} on a full disk", result, "big.svg")
             checks.check(os.listdir(folder) == [], f"{' '.join(words)} {option}: left "
                                                    f"{os.listdir(folder)}")
 

@@ -51,9 +51,15 @@ static const char *job_endings(file_types *types, bool is_drawing, struct arena 
     return arena_printf(arena, "%s.png or .pdf", all);
 }
 
+/* A pipe, a device, something that is open: its name does not say what goes into it. */
+static bool job_is_stream(const struct artifact_job *job, struct arena *arena)
+{
+    return access(job->path, F_OK) == 0 && !place_is_file(job->path, arena);
+}
+
 /*
  * What the file shall hold: what the input asks for, else what its name says. Where only one thing
- * can be written any name will do that is not the name of something else.
+ * can be written, and that is no drawing, any name will do that is not the name of something else.
  */
 static bool job_choose_type(struct artifact_job *job, struct arena *arena, struct error *error)
 {
@@ -81,7 +87,8 @@ static bool job_choose_type(struct artifact_job *job, struct arena *arena, struc
     while (known_endings[known] != NULL && !file_type_ends(path, known_endings[known])) {
         known++;
     }
-    bool only = types(1) == NULL && known_endings[known] == NULL;
+    const bool only = types(1) == NULL && known_endings[known] == NULL &&
+                      (drawing == NULL || nameless || job_is_stream(job, arena));
     if (job->type == NULL && (nameless || only)) {
         job->type = types(0);
     }
