@@ -9,4 +9,7 @@ lenscalc dof -f 24,50 -N 4 -s 3 --disc two.svg > two.txt
 lenscalc dof -f 50 -N 4 -s 3 --disc stack.svg --stack --near 1 --far 2
 lenscalc dof -f 10..34 -N 1.4,2,2.8,4 -s 3 --card many.svg > all.txt
 lenscalc dof -f 50 -s 3 --na 0.1 --disc na.svg
+lenscalc dof -m 1 -N 11 -c 0.015mm --disc alone.svg
+lenscalc dof -m 1 -N 11 -c 0.015mm --scale alone.svg
+lenscalc dof -m 1 -s 1m -N 11 -c 0.015mm --value focal --disc solved.svg
 ls

@@ -38,9 +38,31 @@ static bool dof_carried(const void *question, struct arena *arena, struct carrie
     return true;
 }
 
+/* Rows of a magnification alone need no lens, what is drawn does. */
+static bool dof_check_lens(const struct artifact_job *job, struct error *error)
+{
+    for (size_t i = 0; i < job->count; i++) {
+        const struct dof_question *input = job->inputs[i];
+        const struct dof_targets *t = &input->targets;
+        const bool has_lens = !photo_lens_is_thin(&input->lens) ||
+                              !isnan(input->lens.focal.length) ||
+                              !isnan(input->lens.focal.equivalent);
+        const bool has_more = !isnan(input->distance) || !isnan(t->near) || !isnan(t->far) ||
+                              !isnan(t->total) || !isnan(t->hyperfocal);
+        if (t->magnification > 0 && !has_lens && !has_more) {
+            return fail(error, ERROR_USAGE, "{--%s} draws a lens: {--focal-length} is missing",
+                        job->artifact->option.name);
+        }
+    }
+    return true;
+}
+
 bool dof_check_scale(const struct artifact_job *job, struct error *error)
 {
     const struct dof_question *input = job->inputs[0];
+    if (!dof_check_lens(job, error)) {
+        return false;
+    }
     return !input->lens.rays.exact ||
            fail(error, ERROR_USAGE, "{--scale} draws what formulas say: it excludes {--exact}");
 }
@@ -51,7 +73,10 @@ bool dof_check_carry(const struct artifact_job *job, struct error *error)
     const char *option = job->artifact->option.name;
     const char *other = SAID_FIRST({input->lens.rays.exact, "exact"}, {input->stack, "stack"},
                                    {input->model != DOF_EXACT, "model"});
-    return other == NULL || fail(error, ERROR_USAGE, "{--%s} excludes {--%s}", option, other);
+    if (other != NULL) {
+        return fail(error, ERROR_USAGE, "{--%s} excludes {--%s}", option, other);
+    }
+    return dof_check_lens(job, error);
 }
 
 /* A number's place in a rising list, where it is put if it is new; lists have room. */
