@@ -259,6 +259,23 @@ static size_t element_asphere(const struct surface *surface, const char *name, s
     return count;
 }
 
+/* How high from the axis the surfaces cross, flats out to the rim among them, mm; NaN: nowhere. */
+static double element_crossing(const struct draw_element *element)
+{
+    enum { STEPS = 1000 };
+    const double *diameter = element->diameter, rim = fmax(diameter[0], diameter[1]) / 2;
+    const double rounding = 1e-9 * rim; /* surfaces may meet in a sharp edge */
+    for (int k = 0; k <= STEPS; k++) {
+        const double h = rim * k / STEPS;
+        const double front = surface_sag(element->front, fmin(h, diameter[0] / 2));
+        const double back = surface_sag(element->back, fmin(h, diameter[1] / 2));
+        if (element->thickness + back - front < -rounding) {
+            return h;
+        }
+    }
+    return NAN;
+}
+
 bool draw_element_sheet(const struct layout *layout, long number, const char *title,
                         struct svg *svg, struct error *error)
 {
@@ -275,6 +292,13 @@ bool draw_element_sheet(const struct layout *layout, long number, const char *ti
         return fail(error, ERROR_DOMAIN,
                     "{--iso10110} draws round elements that light passes from the left: not %ld",
                     number);
+    }
+    const double crossing = element_crossing(&element);
+    if (!isnan(crossing)) {
+        return fail(error, ERROR_DOMAIN,
+                    "element %ld cannot be made: its surfaces %zu and %zu cross %.2g mm from the "
+                    "axis, inside the rim",
+                    number, i + 1, i + 2, crossing);
     }
     const char *notes[2 + 2 * LENS_COEFFICIENTS];
     struct element_sheet sheet = {
