@@ -193,14 +193,15 @@ static void draw_part(const struct section_page *page, const struct layout_part 
     }
 }
 
-static bool occurs(const struct layout *layout, enum layout_kind kind)
+/* The first part of a kind; null: there is none. */
+static const struct layout_part *section_part_of(const struct layout *layout, enum layout_kind kind)
 {
     for (size_t i = 0; i < layout->part_count; i++) {
         if (layout->parts[i].kind == kind) {
-            return true;
+            return &layout->parts[i];
         }
     }
-    return false;
+    return NULL;
 }
 
 /* -------- the legend -------- */
@@ -231,7 +232,7 @@ static void legend_entry(const struct section_page *page, struct legend_pen *pen
 static void legend_fields(const struct section_page *page, struct legend_pen *pen)
 {
     const struct layout *layout = page->layout;
-    if (occurs(layout, LAYOUT_AXIAL)) {
+    if (section_part_of(layout, LAYOUT_AXIAL) != NULL) {
         legend_entry(page, pen, section_style(LAYOUT_AXIAL), names[LAYOUT_AXIAL]);
     }
     for (size_t i = 0; i < layout->field_count; i++) {
@@ -263,9 +264,10 @@ static double section_draw_legend(struct section_page *page, double y, bool draw
         legend_fields(page, &pen);
     }
     for (size_t kind = 0; kind < LAYOUT_KINDS; kind++) {
-        if (names[kind] != NULL && kind != LAYOUT_AXIAL &&
-            occurs(page->layout, (enum layout_kind)kind)) {
-            legend_entry(page, &pen, section_style((enum layout_kind)kind), names[kind]);
+        const struct layout_part *part = section_part_of(page->layout, (enum layout_kind)kind);
+        if (names[kind] != NULL && kind != LAYOUT_AXIAL && part != NULL) {
+            const struct svg_style style = part_style(page, part);
+            legend_entry(page, &pen, &style, names[kind]);
         }
     }
     y = pen.y + (pen.x > MARGIN ? LINE : 0);

@@ -34,3 +34,9 @@ lenscalc draw phone-80deg --element 5 --iso10110 | grep -o '>[^<]*A[0-9]* = [^<]
 lenscalc draw double-gauss --element 7 --iso10110
 lenscalc draw double-gauss --element 2
 lenscalc draw double-gauss --iso10110 --element 2 --list
+# equal radii of 10, 5 apart: they cross where 10 - sqrt(100 - h^2) = 2.5, h = 6.614
+printf 'lens b\naperture epd 5\nsurface 10 5 1.5 17\nsurface -10 90 air 16\n' > crossing.lens
+lenscalc draw ./crossing.lens --element 1 --iso10110
+# an empty title is none, also without an empty element; chief rays have the colour of a field
+lenscalc draw double-gauss --title '' | grep -c 'bold\|<text[^>]*></text>'
+lenscalc draw double-gauss | grep -A1 '#1f5fa8" stroke-width="1.5"' | grep -c '<line'
