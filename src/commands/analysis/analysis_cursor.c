@@ -476,6 +476,20 @@ const char *analysis_curve_words(const char *title, const char *name, bool one_l
     return one_lens ? name : arena_printf(arena, "%s, %s", title, name);
 }
 
+size_t analysis_values_of(const struct artifact_job *job, size_t offset, size_t size)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < job->count; i++) {
+        const char *value = (const char *)job->inputs[i] + offset;
+        size_t k = 0;
+        while (k < i && memcmp(value, (const char *)job->inputs[k] + offset, size) != 0) {
+            k++;
+        }
+        count += k == i;
+    }
+    return count;
+}
+
 int analysis_ascending(const void *first, const void *second)
 {
     const double a = *(const double *)first, b = *(const double *)second;

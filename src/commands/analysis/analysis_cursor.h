@@ -154,6 +154,11 @@ const char *wave_reference_words(const struct analysis_case *one, enum wave_abou
 const char *analysis_curve_words(const char *title, const char *name, bool one_lens,
                                  struct arena *arena);
 
+/* How many different values a member has among the inputs of a job. */
+#define ANALYSIS_VALUES_OF(job, input, member)                                                     \
+    analysis_values_of(job, offsetof(input, member), sizeof(((const input *)0)->member))
+size_t analysis_values_of(const struct artifact_job *job, size_t offset, size_t size);
+
 /* For qsort: doubles, ascending. */
 int analysis_ascending(const void *first, const void *second);
 

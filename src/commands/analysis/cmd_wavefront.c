@@ -415,21 +415,7 @@ struct rms_drawing {
     const char *lens, *words, *field;
 };
 
-/* How many values something has among the inputs of a job. */
-#define VALUES(member) rms_values_of(job, offsetof(struct wavefront_input, member))
-static size_t rms_values_of(const struct artifact_job *job, size_t offset)
-{
-    size_t count = 0;
-    for (size_t i = 0; i < job->count; i++) {
-        const char *value = (const char *)job->inputs[i] + offset;
-        size_t k = 0;
-        while (k < i && memcmp(value, (const char *)job->inputs[k] + offset, sizeof(double)) != 0) {
-            k++;
-        }
-        count += k == i;
-    }
-    return count;
-}
+#define VALUES(member) ANALYSIS_VALUES_OF(job, struct wavefront_input, member)
 
 static int rms_point_order(const void *first, const void *second)
 {

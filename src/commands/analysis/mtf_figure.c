@@ -288,30 +288,17 @@ static bool figure_add_input(struct figure_painter *painter, const struct mtf_in
     return error->code == ERROR_NONE;
 }
 
-/* How many different values something has among the inputs. */
-static size_t figure_values_of(const struct artifact_job *job, size_t offset)
-{
-    size_t count = 0;
-    for (size_t i = 0; i < job->count; i++) {
-        const char *value = (const char *)job->inputs[i] + offset;
-        size_t k = 0;
-        while (k < i && memcmp(value, (const char *)job->inputs[k] + offset, sizeof(double)) != 0) {
-            k++;
-        }
-        count += k == i;
-    }
-    return count;
-}
+#define MTF_VALUES(member) ANALYSIS_VALUES_OF(job, struct mtf_input, member)
 
 static bool choose_axis(struct figure_painter *painter, struct error *error)
 {
     const struct artifact_job *job = painter->job;
-    const size_t frequencies = figure_values_of(job, offsetof(struct mtf_input, frequency));
+    const size_t frequencies = MTF_VALUES(frequency);
     const struct mtf_input *last = job->inputs[job->count - 1];
-    const size_t fields = figure_values_of(job, offsetof(struct mtf_input, question.field)) +
-                          figure_values_of(job, offsetof(struct mtf_input, question.height)) - 1;
+    const size_t fields = MTF_VALUES(question.field) +
+                          MTF_VALUES(question.height) - 1;
     const bool given = !isnan(last->frequency);
-    if (figure_values_of(job, offsetof(struct mtf_input, question.defocus)) > 2) {
+    if (MTF_VALUES(question.defocus) > 2) {
         painter->axis = BY_FOCUS;
     } else if (given && fields > FIELDS_MANY) {
         painter->axis = BY_FIELD;
