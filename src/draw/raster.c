@@ -87,10 +87,11 @@ static struct raster_sample raster_interpolate(const struct rasters *rasters,
     x = fmin(fmax(x, 0), last);
     y = fmin(fmax(y, 0), last);
     const size_t column = (size_t)fmin(floor(x), last - 1), row = (size_t)fmin(floor(y), last - 1);
+    const double right = x - (double)column, above = y - (double)row;
+    const double across[] = {1 - right, right}, up[] = {1 - above, above};
     double sum = 0, weights = 0;
     for (size_t k = 0; k < 4; k++) {
-        const double across = x - (double)column, up = y - (double)row;
-        const double weight = (k % 2 == 0 ? 1 - across : across) * (k / 2 == 0 ? 1 - up : up);
+        const double weight = across[k % 2] * up[k / 2];
         const double value = map->values[(row + k / 2) * map->size + column + k % 2];
         if (isfinite(value) && weight > 0) {
             sum += weight * raster_scaled(rasters, value);

@@ -269,9 +269,11 @@ bool mtf_square_find(const struct mtf_source *source, double frequency, double p
         if (k > 0 && !mtf_find(source, n * frequency, arena, &here, error)) {
             return false;
         }
-        /* half of the last, as the sum lies between it and the one before */
-        const double part = (k == HARMONICS - 1 ? 0.5 : 1) * (k % 2 == 0 ? 1 : -1) / n;
-        const double left = 4 / PI * part * turned * mtf_square_pixels(n * frequency, pitch);
+        const double sign = k % 2 == 0 ? 1 : -1;
+        double left = 4 / PI * sign / n * turned * mtf_square_pixels(n * frequency, pitch);
+        if (k == HARMONICS - 1) {
+            left /= 2; /* the sum lies between the last and the one before */
+        }
         for (size_t d = 0; d < MTF_DIRECTIONS; d++) {
             const double phase = isnan(here.phase[d]) || isnan(first.phase[d])
                                      ? 0
