@@ -189,6 +189,11 @@ static const struct unit mass_units[] = {
     {"kg", "kg", {1, 3}, 1, NULL, "kilogram"},
 };
 
+static const struct unit volume_units[] = {
+    {"mm3", "mm\xc2\xb3", {1, 0}, 1, NULL, "cubic millimetre"},
+    {"cm3", "cm\xc2\xb3", {1, 3}, 1, "cc", "cubic centimetre"},
+};
+
 static const struct unit storage_units[] = {
     {"B", "B", {1, 0}, 1, "byte bytes", "byte"},
     {"kB", "kB", {1, 3}, 1, NULL, "1000 bytes"},
@@ -243,6 +248,7 @@ const struct dimension dimension_pressure = {.name = "pressure", UNITS(pressure_
 const struct dimension dimension_storage = {.name = "amount of data", UNITS(storage_units)};
 const struct dimension dimension_colour = {.name = "colour temperature", UNITS(colour_units)};
 const struct dimension dimension_mass = {.name = "mass", UNITS(mass_units)};
+const struct dimension dimension_volume = {.name = "volume", UNITS(volume_units)};
 const struct dimension dimension_wavelength = {.name = "wavelength", UNITS(length_units)};
 const struct dimension dimension_wavelength_um = {.name = "wavelength", UNITS(wavelength_units)};
 
@@ -259,7 +265,8 @@ const struct dimension *const dimensions[] = {
     &dimension_pixels,      &dimension_luminous_flux,
     &dimension_temperature, &dimension_pressure,
     &dimension_storage,     &dimension_colour,
-    &dimension_mass,        NULL,
+    &dimension_mass,        &dimension_volume,
+    NULL,
 };
 
 const struct unit *unit_find(const struct dimension *dimension, struct text name)

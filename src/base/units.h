@@ -34,7 +34,7 @@ extern const struct dimension dimension_number, dimension_length, dimension_angl
     dimension_fnumber, dimension_ratio, dimension_vergence, dimension_iso, dimension_ev,
     dimension_stops, dimension_luminance, dimension_illuminance, dimension_exposure,
     dimension_speed, dimension_rotation, dimension_frequency, dimension_rate, dimension_temperature,
-    dimension_pressure, dimension_storage, dimension_colour, dimension_mass,
+    dimension_pressure, dimension_storage, dimension_colour, dimension_mass, dimension_volume,
     dimension_pixel_density, dimension_luminous_flux, dimension_pixels;
 
 /*

@@ -7,6 +7,9 @@
 
 #include <math.h>
 
+/* Of the semi-diameter, an edge may be negative where surfaces only touch, as a ball's. */
+static const double rounding = 1e-12;
+
 struct surface_shape surface_shape_at(const struct surface *surface, double height)
 {
     const double r = fabs(height), c = surface_base_curvature(surface).hi;
@@ -17,9 +20,9 @@ struct surface_shape surface_shape_at(const struct surface *surface, double heig
     const double slope = c * r / root + 2 * r * surface_departure(surface, r * r).slope;
     const double sag = surface_sag(surface, r);
     const bool is_sphere = surface_profile(surface) <= PROFILE_SPHERE;
-    return (struct surface_shape){.sag = sag,
-                                  .slope = height < 0 ? -slope : slope,
-                                  .departure = is_sphere ? 0 * sag : sag - of_sphere};
+    return (struct surface_shape){.sag = sag + 0.0, /* no -0 */
+                                  .slope = (height < 0 ? -slope : slope) + 0.0,
+                                  .departure = (is_sphere ? 0 * sag : sag - of_sphere) + 0.0};
 }
 
 /* Between a surface and the plane at its vertex, out to a rim: flat from its own semi-diameter. */
@@ -56,8 +59,9 @@ struct glass_shape glass_shape_behind(const struct lens *lens, size_t surface)
     if (is_round) {
         shape.edge_thickness =
             side * (way + surface_sag(right, semi[1]) - surface_sag(left, semi[0]));
-        shape.volume = side * (PI * rim * rim * way + surface_cap(right, semi[1], rim) -
-                               surface_cap(left, semi[0], rim));
+        const double volume = side * (PI * rim * rim * way + surface_cap(right, semi[1], rim) -
+                                      surface_cap(left, semi[0], rim));
+        shape.volume = shape.edge_thickness < -rounding * rim ? (double)NAN : volume;
     }
     return shape;
 }

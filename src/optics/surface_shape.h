@@ -25,7 +25,7 @@ struct surface_shape surface_shape_at(const struct surface *surface, double heig
 struct glass_shape {
     double semi_diameter;  /* of the rim, mm; NaN: a surface states no diameter */
     double edge_thickness; /* parallel to the axis at the rim, mm; negative: the surfaces meet */
-    double volume;         /* mm^3; NaN: it has no rotational symmetry */
+    double volume;         /* mm^3; NaN: it has no rotational symmetry, or the surfaces meet */
 };
 
 /*

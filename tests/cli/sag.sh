@@ -6,6 +6,7 @@ printf 'lens asphere\nobject inf\naperture epd 10\nsurface 50 6 N-BK7 40 k=-0.6 
 lenscalc sag asphere.lens --steps 4 --columns surface,height,sag,angle,departure
 lenscalc surfaces asphere.lens --csv --digits 6 --columns surface,edge_thickness,volume_mm3,mass
 lenscalc surfaces double-gauss --json --digits 4 --columns surface,edge_thickness,volume_mm3,mass
+printf 'lens thin\nobject inf\naperture epd 10\nsurface 30 2 N-BK7 20\nsurface -30 10 air 20\n' | lenscalc surfaces - --csv --digits 6 --columns surface,edge_thickness,volume,mass
 lenscalc sag asphere.lens --surface 2
 lenscalc sag asphere.lens --surface 3
 lenscalc sag asphere.lens --height 400

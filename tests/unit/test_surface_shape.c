@@ -51,7 +51,8 @@ static void test_glass(void)
                                      "surface 25 50 1.5 50\nsurface -25 10 air 50\n"
                                      "surface -200 8 1.5 30 k=-1\nsurface - 1 air 40\n"
                                      "surface 50 6 1.5 -\nsurface -60 10 air 40\n"
-                                     "surface 50 6 1.5 40 cyl=y\nsurface -60 10 air 40\n",
+                                     "surface 50 6 1.5 40 cyl=y\nsurface -60 10 air 40\n"
+                                     "surface 30 2 1.5 20\nsurface -30 10 air 20\n",
                                      &arena);
     const struct glass_shape biconvex = glass_shape_behind(&lens, 0);
     const double left = 50 - sqrt(2500. - 400), right = 60 - sqrt(3600. - 400);
@@ -72,6 +73,9 @@ static void test_glass(void)
     CHECK(isnan(glass_shape_behind(&lens, 6).volume));
     CHECK(isnan(glass_shape_behind(&lens, 6).edge_thickness));
     CHECK(isnan(glass_shape_behind(&lens, 8).volume));
+    const struct glass_shape meeting = glass_shape_behind(&lens, 10);
+    CHECK_NEAR(meeting.edge_thickness, 2 - 2 * (30 - sqrt(900. - 100)), 1e-12, "t less both sags");
+    CHECK(isnan(meeting.volume));
     arena_free(&arena);
 }
 

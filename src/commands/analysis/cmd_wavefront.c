@@ -533,6 +533,10 @@ static bool wavefront_curves(const struct artifact_job *job, struct output *sink
     if (drawing.count == 0) {
         return fail(error, ERROR_DOMAIN, "there is no wave front to draw");
     }
+    if (drawing.count == drawing.curve_count) {
+        return fail(error, ERROR_USAGE,
+                    "{--curve} needs an option with several values, such as a range");
+    }
     return rms_curves_draw(&drawing, &svg, error) && drawing_write(job, &svg, sink, error);
 }
 

@@ -88,11 +88,12 @@ static const struct column columns[] = {
      .help = "n u of the chief ray after the surface; absent without a stop or a field"},
     {MM(edge_thickness, 0), .name = "edge_thickness", .label = "edge thickness",
      .help = "of the glass behind it, at the rim of the larger diameter; absent where a diameter "
-             "is not stated"},
-    {PLAIN(volume, 0), .name = "volume_mm3", .label = "volume, mm3",
-     .help = "of that glass, a cylinder between both surfaces"},
+             "is not stated or a surface is a cylinder"},
+    {MEASURED(volume, volume, "mm3"), .flags = 0, .name = "volume",
+     .help = "of that glass, a cylinder between both surfaces; absent without an edge, and where "
+             "that is negative"},
     {MEASURED(mass, mass, "g"), .flags = 0, .name = "mass",
-     .help = "of that glass; absent where no catalogue states its density"},
+     .help = "of that glass; absent without a volume, and where no catalogue states its density"},
     LENS_TITLE_COLUMN(ROW, lens),
     LENS_WARNING_COLUMN(ROW, warning),
 };
