@@ -20,7 +20,7 @@ struct line_spread_image {
     size_t count;                 /* odd */
     double usual;                 /* mm: from -usual to usual is most of the light */
     double *line[MTF_DIRECTIONS]; /* share of all light per mm; owned by the arena */
-    double *edge[MTF_DIRECTIONS]; /* up to there, of an edge that is bright below it */
+    double *edge[MTF_DIRECTIONS]; /* share of all light up to there: an edge, bright outwards */
     double error[MTF_DIRECTIONS]; /* of the edge */
     struct pupil_islands islands;
 };
