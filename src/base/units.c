@@ -253,20 +253,15 @@ const struct dimension dimension_wavelength = {.name = "wavelength", UNITS(lengt
 const struct dimension dimension_wavelength_um = {.name = "wavelength", UNITS(wavelength_units)};
 
 const struct dimension *const dimensions[] = {
-    &dimension_length,      &dimension_angle,
-    &dimension_time,        &dimension_fnumber,
-    &dimension_ratio,       &dimension_vergence,
-    &dimension_number,      &dimension_iso,
-    &dimension_ev,          &dimension_stops,
-    &dimension_luminance,   &dimension_illuminance,
-    &dimension_exposure,    &dimension_speed,
-    &dimension_rotation,    &dimension_frequency,
-    &dimension_rate,        &dimension_pixel_density,
-    &dimension_pixels,      &dimension_luminous_flux,
-    &dimension_temperature, &dimension_pressure,
-    &dimension_storage,     &dimension_colour,
-    &dimension_mass,        &dimension_volume,
-    NULL,
+    &dimension_length,    &dimension_angle,         &dimension_time,
+    &dimension_fnumber,   &dimension_ratio,         &dimension_vergence,
+    &dimension_number,    &dimension_iso,           &dimension_ev,
+    &dimension_stops,     &dimension_luminance,     &dimension_illuminance,
+    &dimension_exposure,  &dimension_speed,         &dimension_rotation,
+    &dimension_frequency, &dimension_rate,          &dimension_pixel_density,
+    &dimension_pixels,    &dimension_luminous_flux, &dimension_temperature,
+    &dimension_pressure,  &dimension_storage,       &dimension_colour,
+    &dimension_mass,      &dimension_volume,        NULL,
 };
 
 const struct unit *unit_find(const struct dimension *dimension, struct text name)

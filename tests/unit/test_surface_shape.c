@@ -47,7 +47,7 @@ static void test_glass(void)
 {
     struct arena arena = {0};
     const struct lens lens = lens_of("object inf\naperture epd 10\n"
-                                     "surface 50 6 1.5 40\nsurface -60 10 air 40\n"
+                                     "surface 50 10 1.5 40\nsurface -60 10 air 40\n"
                                      "surface 25 50 1.5 50\nsurface -25 10 air 50\n"
                                      "surface -200 8 1.5 30 k=-1\nsurface - 1 air 40\n"
                                      "surface 50 6 1.5 -\nsurface -60 10 air 40\n"
@@ -56,10 +56,10 @@ static void test_glass(void)
                                      &arena);
     const struct glass_shape biconvex = glass_shape_behind(&lens, 0);
     const double left = 50 - sqrt(2500. - 400), right = 60 - sqrt(3600. - 400);
-    CHECK_NEAR(biconvex.edge_thickness, 6 - left - right, 1e-12, "t less both sags");
+    CHECK_NEAR(biconvex.edge_thickness, 10 - left - right, 1e-12, "t less both sags");
     /* the cylinder of the edge between both caps */
     CHECK_RELATIVE(biconvex.volume,
-                   PI * 400 * (6 - left - right) + sphere_cap(50, 20) + sphere_cap(60, 20), 1e-12,
+                   PI * 400 * (10 - left - right) + sphere_cap(50, 20) + sphere_cap(60, 20), 1e-12,
                    "caps of spheres");
     const struct glass_shape ball = glass_shape_behind(&lens, 2);
     CHECK_RELATIVE(ball.volume, 4 / 3. * PI * pow(25, 3), 1e-9, "a ball");

@@ -51,6 +51,15 @@ static const char *job_endings(file_types *types, bool is_drawing, struct arena 
     return arena_printf(arena, "%s.png or .pdf", all);
 }
 
+static bool ending_is_known(struct text path)
+{
+    size_t i = 0;
+    while (known_endings[i] != NULL && !file_type_ends(path, known_endings[i])) {
+        i++;
+    }
+    return known_endings[i] != NULL;
+}
+
 /* A pipe, a device, something that is open: its name does not say what goes into it. */
 static bool job_is_stream(const struct artifact_job *job, struct arena *arena)
 {
@@ -58,9 +67,16 @@ static bool job_is_stream(const struct artifact_job *job, struct arena *arena)
 }
 
 /*
- * What the file shall hold: what the input asks for, else what its name says. Where only one thing
- * can be written, and that is no drawing, any name will do that is not the name of something else.
+ * Where only one thing can be written, and that is no drawing, any name will do that is not the
+ * name of something else.
  */
+static bool job_takes_any_name(const struct artifact_job *job, bool is_drawing, struct arena *arena)
+{
+    return job->artifact->option.types(1) == NULL && !ending_is_known(text_of(job->path)) &&
+           (!is_drawing || job_is_stream(job, arena));
+}
+
+/* What the file shall hold: what the input asks for, else what its name says. */
 static bool job_choose_type(struct artifact_job *job, struct arena *arena, struct error *error)
 {
     const struct artifact *artifact = job->artifact;
@@ -83,13 +99,7 @@ static bool job_choose_type(struct artifact_job *job, struct arena *arena, struc
         job->form = file_type_ends(path, ".png") ? ARTIFACT_AS_PNG : ARTIFACT_AS_PDF;
         return showing_check_converter(job, arena, error);
     }
-    size_t known = 0;
-    while (known_endings[known] != NULL && !file_type_ends(path, known_endings[known])) {
-        known++;
-    }
-    const bool only = types(1) == NULL && known_endings[known] == NULL &&
-                      (drawing == NULL || nameless || job_is_stream(job, arena));
-    if (job->type == NULL && (nameless || only)) {
+    if (job->type == NULL && (nameless || job_takes_any_name(job, drawing != NULL, arena))) {
         job->type = types(0);
     }
     if (job->type != NULL) {

@@ -295,8 +295,7 @@ static bool choose_axis(struct figure_painter *painter, struct error *error)
     const struct artifact_job *job = painter->job;
     const size_t frequencies = MTF_VALUES(frequency);
     const struct mtf_input *last = job->inputs[job->count - 1];
-    const size_t fields = MTF_VALUES(question.field) +
-                          MTF_VALUES(question.height) - 1;
+    const size_t fields = MTF_VALUES(question.field) + MTF_VALUES(question.height) - 1;
     const bool given = !isnan(last->frequency);
     if (MTF_VALUES(question.defocus) > 2) {
         painter->axis = BY_FOCUS;
