@@ -35,6 +35,7 @@ VALIDATE = os.environ.get("LENSCALC_VALIDATE")
 # a shell that begins this in the background has it ignore SIGINT, and so all that is started here
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
+INSTRUMENTED = 60  # times as long what sanitizers or valgrind watch may take
 NEED_SOLVER = ("fit", "bench")  # commands that a build without Ceres has not
 
 
@@ -178,12 +179,36 @@ class Program:
         return {**self.inherited, "LC_ALL": "C", "TERM": "dumb", "LENSCALC_CONFIG": "",
                 "UBSAN_OPTIONS": "halt_on_error=1:print_stacktrace=1"}
 
+    def allowed(self, seconds):
+        """Processor time, s, that an answer may take which takes at most so much unwatched."""
+        return seconds * (INSTRUMENTED if self.is_instrumented else 1)
+
+    def run_within(self, seconds, *words, **more):
+        """
+        (result, its processor time in s) of one call with Popen's arguments: however busy the
+        machine is, the same. One that takes 20 times what is allowed never ends, and is ended.
+        """
+        limit = int(20 * self.allowed(seconds))
+        more = {"stdin": subprocess.DEVNULL, "env": self.environment(), **more}
+        with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as err:
+            child = subprocess.Popen(
+                ["sh", "-c", f'ulimit -t {limit}; exec "$@"', "sh", *self.command, *words],
+                stdout=out, stderr=err, **more)
+            _, status, usage = os.wait4(child.pid, 0)
+            child.returncode = os.waitstatus_to_exitcode(status)
+            texts = []
+            for file in (out, err):
+                file.seek(0)
+                texts.append(file.read())
+        return (subprocess.CompletedProcess(child.args, child.returncode, *texts),
+                usage.ru_utime + usage.ru_stime)
+
     def has_solver(self):
         """Was it built with what `fit` needs?"""
         return os.path.exists(os.path.join(self.build, "lenscalc-ceres"))
 
     def run(self, *words, stdin=b"", timeout=60, **more):
-        """One call; the result has bytes in stdout and stderr."""
+        """One call; the result has bytes in stdout and stderr. `timeout` is of the unwatched."""
         if isinstance(stdin, str):
             stdin = stdin.encode()
         variables = more.pop("variables", {})
@@ -195,8 +220,8 @@ class Program:
             more["input"] = stdin
         else:
             more["stdin"] = subprocess.DEVNULL  # a pipe that ends at once costs a third of a run
-        return subprocess.run(self.command + [str(word) for word in words], timeout=timeout,
-                              env={**self.environment(), **variables}, **more)
+        return subprocess.run(self.command + [str(word) for word in words],
+                              timeout=self.allowed(timeout), env={**self.environment(), **variables}, **more)
 
     def rows(self, *words, text=None):
         """The rows of a command's table; where it fails what it says."""
@@ -209,4 +234,4 @@ class Program:
         """An sh script in a folder, with the program in PATH."""
         return subprocess.run(["sh", "-c", script], cwd=folder, env=self.environment(),
                               stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                              stderr=subprocess.PIPE, timeout=timeout)
+                              stderr=subprocess.PIPE, timeout=self.allowed(timeout))

@@ -13,7 +13,6 @@ import glob
 import json
 import os
 import re
-import subprocess
 import sys
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
@@ -102,21 +101,11 @@ def ask(program, path, question, room):
             content = file.read()
             to.write(content)
         words = [copy if word == "@copy" else word.replace("@", path) for word in question.split()]
-        said = [os.path.join(folder, name) for name in ("printed", "said")]
-        most = MOST * (60 if program.is_instrumented else 1) * questions_in(path, words)
-        # processor time, the limit of which is that of a program that never ends
-        limited = ["sh", "-c", f'ulimit -t {int(20 * most)}; exec "$@"', "sh"]
-        with open(said[0], "wb") as out, open(said[1], "wb") as err:
-            child = subprocess.Popen(limited + program.command + words, cwd=folder, stdout=out,
-                                     stderr=err, stdin=subprocess.DEVNULL,
-                                     env=program.environment())
-            _, status, usage = os.wait4(child.pid, 0)
-            child.returncode = os.waitstatus_to_exitcode(status)
-        printed, complaint = [open(name, "rb").read() for name in said]
-    took = usage.ru_utime + usage.ru_stime
-    wrong = [f"took {took:.1f} s"] if took > most else []
-    return wrong + judge(question, child.returncode, printed.replace(path.encode(), b""),
-                         complaint.replace(path.encode(), b""), NAN.search(content))
+        most = MOST * questions_in(path, words)
+        result, took = program.run_within(most, *words, cwd=folder)
+    wrong = [f"took {took:.1f} s"] if took > program.allowed(most) else []
+    return wrong + judge(question, result.returncode, result.stdout.replace(path.encode(), b""),
+                         result.stderr.replace(path.encode(), b""), NAN.search(content))
 
 
 def judge(question, status, printed, complaint, may_say_nan):
