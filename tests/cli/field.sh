@@ -21,3 +21,14 @@ lenscalc field double-gauss --field 14 --explain --columns tangential,petzval
 lenscalc field double-gauss --field 0..14#3 -w d,F --table field,wavelength:sagittal
 lenscalc field double-gauss --field 0..14#5 -w d,F --plot field.svg --columns tangential --csv --digits 3 | tail -1
 grep -o '<text[^>]*>[^<]*</text>' field.svg | sed 's/<[^>]*>//g' | head -12
+# working f-numbers: fields, stopped down without clipping, a mirror with its obstruction, afocal, refusals
+lenscalc field double-gauss --show fnumbers
+lenscalc field double-gauss --show fnumbers --no-clip -N 4 --field 0..14#3 --csv --digits 6
+lenscalc field questar-35 --show fnumbers --json --digits 5 --threads 2
+lenscalc field double-gauss --show fnumbers --field 0,80 --csv --digits 5
+printf 'lens telescope\nobject inf\naperture epd 10\nfield angle 0 1\nfocus afocal\nsurface 50 0 1.5 - stop\nsurface - 150 air -\nsurface - 0 1.5 -\nsurface -25 10 air -\n' |
+    lenscalc field - --show fnumbers --field 1
+lenscalc field double-gauss --clip
+lenscalc field double-gauss --show fnumber
+lenscalc field double-gauss --show fnumbers --plot fnumbers.svg --csv --digits 3 | tail -1
+grep -o '<text[^>]*>[^<]*</text>' fnumbers.svg | sed 's/<[^>]*>//g' | head -5

@@ -58,9 +58,11 @@ static void fan_trace_places(const struct tracer *tracer, const struct fan_place
         list[i] = (struct fan_ray){.pupil = {point.x, point.y},
                                    .off = {NAN, NAN},
                                    .opd = NAN,
+                                   .cosine = {NAN, NAN, NAN},
                                    .status = ray.status,
                                    .surface = ray.surface};
         if (ray.status == RAY_OK) {
+            memcpy(list[i].cosine, ray.cosine, sizeof ray.cosine);
             /* from the reference to where a ray arrives, in the plane through it */
             const struct wave_reference *origin = tracer->origin;
             double *off = list[i].off;
@@ -320,6 +322,7 @@ bool fan_trace(const struct fan_question *question, struct arena *arena, struct 
     memcpy(fan->reference, origin.centre, sizeof fan->reference);
     fan->radius = origin.opd.is_plane ? INFINITY : origin.opd.radius;
     fan->no_opd = origin.no_opd;
+    memcpy(fan->chief, lights.list[0].chief.cosine, sizeof fan->chief);
     const size_t each = FAN_SECTIONS * fan->points, count = lights.count * each;
     struct fan_place *places = ARENA_ARRAY(arena, each, struct fan_place);
     for (size_t i = 0; i < each; i++) {

@@ -19,9 +19,10 @@ struct fan_question {
 };
 
 struct fan_ray {
-    double pupil[2]; /* in units of the stop's radius, or of the entrance pupil's */
-    double off[2];   /* x and y from the reference, mm, or of an angular fan rad; NaN: lost */
-    double opd;      /* of the wavelength's own chief ray less that of the ray, mm; NaN: lost */
+    double pupil[2];  /* in units of the stop's radius, or of the entrance pupil's */
+    double off[2];    /* x and y from the reference, mm, or of an angular fan rad; NaN: lost */
+    double opd;       /* of the wavelength's own chief ray less that of the ray, mm; NaN: lost */
+    double cosine[3]; /* its direction behind the lens; NaN: lost */
     enum ray_status status;
     size_t surface; /* where it was lost, 1-based; 0 = nowhere; of an end: what ends the pupil */
 };
@@ -41,6 +42,7 @@ struct fan {
     double reference[3]; /* in the frame of the image plane, mm; z is not 0 of WAVE_BEST alone */
     double radius;       /* of the reference sphere, mm; infinite: a plane */
     const char *no_opd;  /* why there are no optical path differences; null: there are */
+    double chief[3];     /* direction of the first wavelength's chief ray behind the lens */
     const struct fan_ray *rays; /* [wavelength][section][point] */
     size_t points;
     const struct fan_ends *ends;  /* [wavelength][section] */

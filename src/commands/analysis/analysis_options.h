@@ -148,11 +148,12 @@ extern const struct word analysis_aims[], analysis_weights[];
               .help = "rays are doubled until the relative error is below this"),                  \
         ANALYSIS_CLIP_OPTIONS
 
-#define ANALYSIS_CLIP_OPTIONS                                                                      \
-    ENTRY(OPTION(struct analysis_question, clip), .name = "clip",                                  \
+#define ANALYSIS_CLIP_OPTIONS ANALYSIS_CLIP_OPTIONS_FOR(NULL)
+#define ANALYSIS_CLIP_OPTIONS_FOR(use)                                                             \
+    ENTRY(OPTION(struct analysis_question, clip), .name = "clip", .wants = (use),                  \
           .help = "clip rays at apertures and stop (default)"),                                    \
-        ENTRY(OPTION(struct analysis_question, no_clip), .name = "no-clip", .excludes = "clip",    \
-              .help = "do not clip rays at clear apertures")
+        ENTRY(OPTION(struct analysis_question, no_clip), .name = "no-clip", .wants = (use),        \
+              .excludes = "clip", .help = "do not clip rays at clear apertures")
 
 /* What rows begin with: position and field. */
 #define ANALYSIS_POINT_COLUMNS                                                                     \
