@@ -1,25 +1,13 @@
 /* commands/analysis/cmd_wavefront.c - lenscalc wavefront: figures, Zernike's polynomials. */
 /* SPDX-License-Identifier: MIT */
-#include "analysis/waves/wavefront.h"
 #include "commands/analysis/analysis_map.h"
-#include "draw/plot.h"
+#include "commands/analysis/wavefront_curves.h"
 #include "draw/ticks.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
-struct wavefront_input {
-    struct analysis_question question;
-    int reference, zernike; /* enum wave_about; enum zernike_kind, NO_WORD: none */
-    long terms, size;       /* size: NO_INTEGER = MAP_SIZE, of a drawing DRAWN_SIZE */
-    bool fringes;
-};
-
 enum { MAP_SIZE = 128, DRAWN_SIZE = 256 };
-
-static const struct analysis_policy policy = {.wavelengths = WAVELENGTHS_PRIMARY,
-                                              .fields = FIELDS_ALL};
 
 static const struct word references[] = {
     [WAVE_CHIEF] = {"chief", "the chief ray of the same wavelength"},
@@ -28,7 +16,6 @@ static const struct word references[] = {
     {NULL, NULL},
 };
 
-enum { NO_ZERNIKE };
 static const struct word orders[] = {
     [NO_ZERNIKE] = {"none", "figures of the whole wave front"},
     [ZERNIKE_NOLL + 1] = {"noll", "from 1, orthonormal [Noll76]"},
@@ -140,25 +127,6 @@ struct wavefront_found {
     struct wavefront_fit fit;
 };
 
-static bool wavefront_field_open(const struct analysis_cursor *at, const struct analysis_case *one,
-                                 size_t field, bool is_polychromatic,
-                                 struct wavefront_source *source, struct error *error)
-{
-    const struct wavefront_input *input = at->input;
-    struct arena *arena = one->setup->arena;
-    if (one->setup->wavelength_count > 1 && !is_polychromatic) {
-        return fail(error, ERROR_USAGE,
-                    "{--spectrum}: polynomials and maps are those of one wavelength");
-    }
-    struct wavefront_question *made = ARENA_NEW(arena, struct wavefront_question);
-    const long rays = input->question.rays;
-    *made = (struct wavefront_question){.bundle = analysis_bundle(one, field),
-                                        .about = (enum wave_about)input->reference,
-                                        .rays = rays != NO_INTEGER && rays > 0 ? (size_t)rays : 0,
-                                        .error = input->question.error};
-    return wavefront_open(made, arena, source, error);
-}
-
 static bool wavefront_row_find(const struct analysis_cursor *at, const struct analysis_case *one,
                                size_t field, void *room, struct error *error)
 {
@@ -220,8 +188,8 @@ static void wavefront_warn_missed(const struct analysis_cursor *at, struct analy
 static bool wavefront_run(const void *data, struct run *run, struct error *error)
 {
     const struct wavefront_input *input = data;
-    struct analysis_cursor at = analysis_begin_finding(input, &policy, run, wavefront_row_find,
-                                                       sizeof(struct wavefront_found));
+    struct analysis_cursor at = analysis_begin_finding(
+        input, &wavefront_policy, run, wavefront_row_find, sizeof(struct wavefront_found));
     while (analysis_next(&at, error)) {
         const struct wavefront_found *found = at.found;
         struct wavefront_row row;
@@ -354,7 +322,7 @@ static bool wavefront_maps(const struct artifact_job *job, struct output *sink, 
             input.size = drawn ? DRAWN_SIZE : MAP_SIZE;
         }
         struct analysis_cursor at = analysis_begin_finding(
-            &input, &policy, job->run, drawn ? wavefront_map_find : wavefront_values_find,
+            &input, &wavefront_policy, job->run, drawn ? wavefront_map_find : wavefront_values_find,
             sizeof(struct wavefront_map_found));
         at.keeps_lost = true;
         while (analysis_next(&at, error)) {
@@ -392,152 +360,6 @@ static bool wavefront_makes_many(const void *data)
 {
     const struct wavefront_input *input = data;
     return (input->zernike != NO_ZERNIKE && input->terms > 1) || analysis_several(input);
-}
-
-/* -------- curves of the RMS -------- */
-
-enum { CURVES_MOST = 14 };
-enum rms_axis { RMS_BY_FIELD, RMS_BY_FOCUS, RMS_BY_WAVELENGTH };
-
-/* A point of the drawing, on one of its curves. */
-struct rms_point {
-    size_t curve;
-    double x, rms;
-};
-
-struct rms_drawing {
-    struct arena *arena;
-    enum rms_axis axis;
-    unsigned hidden;                 /* parts of its case that curves differ in */
-    const char *labels[CURVES_MOST]; /* of the curves, in the order they come */
-    size_t curve_count, count, room;
-    struct rms_point *points;
-    const char *lens, *words, *field;
-};
-
-#define VALUES(member) ANALYSIS_VALUES_OF(job, struct wavefront_input, member)
-
-static int rms_point_order(const void *first, const void *second)
-{
-    const struct rms_point *a = first, *b = second;
-    const int by_curve = (a->curve > b->curve) - (a->curve < b->curve);
-    return by_curve != 0 ? by_curve : (a->x > b->x) - (a->x < b->x);
-}
-
-static bool rms_find(const struct analysis_cursor *at, const struct analysis_case *one,
-                     size_t field, void *found, struct error *error)
-{
-    struct wavefront_source source;
-    return wavefront_field_open(at, one, field, true, &source, error) &&
-           wavefront_find(&source, false, one->setup->arena, found, error);
-}
-
-static bool rms_drawing_add(struct rms_drawing *drawing, const struct analysis_cursor *at,
-                            struct error *error)
-{
-    const struct analysis_point point = analysis_point_of(at->one, at->field);
-    struct analysis_question question = *at->one->question;
-    struct analysis_case named = *at->one;
-    double x = isnan(point.field) ? point.height : point.field * DEGREES_PER_RADIAN;
-    named.question = &question;
-    if (drawing->axis == RMS_BY_FOCUS) {
-        question.defocus = NAN;
-        x = point.defocus;
-    } else if (drawing->axis == RMS_BY_WAVELENGTH) {
-        question.wavelength.name = NULL;
-        x = 1000 * at->one->setup->wavelengths[0].wavelength;
-    }
-    const char *label = drawing->axis == RMS_BY_FIELD
-                            ? analysis_case_words(&named, drawing->arena)
-                            : analysis_field_words(&named, at->field, true, drawing->arena);
-    label = label != NULL ? label : "";
-    size_t curve = 0;
-    while (curve < drawing->curve_count && strcmp(label, drawing->labels[curve]) != 0) {
-        curve++;
-    }
-    if (curve == CURVES_MOST) {
-        return fail(error, ERROR_USAGE, "{--curve} would draw more than %d curves", CURVES_MOST);
-    }
-    drawing->labels[curve] = label;
-    drawing->curve_count += curve == drawing->curve_count;
-    drawing->points = arena_grow(drawing->arena, drawing->points, drawing->count, &drawing->room,
-                                 sizeof *drawing->points);
-    drawing->points[drawing->count++] =
-        (struct rms_point){curve, x, ((const struct wavefront *)at->found)->rms};
-    drawing->field = isnan(point.field) ? "field (mm)" : "field (\xc2\xb0)";
-    drawing->lens = at->one->setup->lens->title;
-    drawing->words = analysis_figure_words(at->one, FIGURE_ALL & ~drawing->hidden, drawing->arena);
-    return true;
-}
-
-static bool rms_curves_draw(const struct rms_drawing *drawing, struct svg *svg, struct error *error)
-{
-    const char *const axes[] = {drawing->field, "defocus (mm)", "wavelength (nm)"};
-    struct plot_series series[CURVES_MOST] = {{0}};
-    double *x = ARENA_ARRAY(svg->arena, 2 * drawing->count, double), *y = x + drawing->count;
-    qsort(drawing->points, drawing->count, sizeof *drawing->points, rms_point_order);
-    for (size_t i = 0; i < drawing->count; i++) {
-        const struct rms_point *point = &drawing->points[i];
-        struct plot_series *one = &series[point->curve];
-        x[i] = point->x;
-        y[i] = point->rms;
-        if (one->count++ == 0) {
-            one->label = drawing->curve_count > 1 ? drawing->labels[point->curve] : NULL;
-            one->x = &x[i];
-            one->y = &y[i];
-            one->style = point->curve;
-        }
-    }
-    const struct plot plot = {.title =
-                                  arena_printf(svg->arena, "RMS wave front of %s", drawing->lens),
-                              .subtitle = drawing->words,
-                              .x_label = axes[drawing->axis],
-                              .y_label = "RMS (waves)",
-                              .series = series,
-                              .series_count = drawing->curve_count};
-    return plot_draw(&plot, svg, error);
-}
-
-static bool wavefront_curves(const struct artifact_job *job, struct output *sink,
-                             struct error *error)
-{
-    struct svg svg = {.arena = job->run->arena};
-    struct rms_drawing drawing = {.arena = svg.arena, .hidden = FIGURE_DEFOCUS};
-    const size_t focus = VALUES(question.defocus), fields = VALUES(question.field);
-    const size_t waves = VALUES(question.wavelength.wavelength);
-    if (VALUES(question.lens.lens) * VALUES(reference) * VALUES(question.aim) > 1 ||
-        VALUES(question.field_x) > 1) {
-        return fail(error, ERROR_USAGE,
-                    "{--curve} draws one lens, reference and aim, not fields x");
-    }
-    if (focus > 1 && focus >= waves && focus >= fields) {
-        drawing.axis = RMS_BY_FOCUS;
-    } else if (waves > 1 && waves >= fields) {
-        drawing.axis = RMS_BY_WAVELENGTH;
-    }
-    drawing.hidden |= (waves > 1) * (unsigned)FIGURE_WAVELENGTHS;
-    drawing.hidden |= (VALUES(question.fnumber) > 1) * (unsigned)FIGURE_APERTURE;
-    for (size_t i = 0; i < job->count; i++) {
-        struct analysis_cursor at = analysis_begin_finding(job->inputs[i], &policy, job->run,
-                                                           rms_find, sizeof(struct wavefront));
-        at.keeps_lost = true;
-        while (analysis_next(&at, error)) {
-            if (at.lost == NULL && !rms_drawing_add(&drawing, &at, error)) {
-                return false;
-            }
-        }
-        if (error->code != ERROR_NONE) {
-            return false;
-        }
-    }
-    if (drawing.count == 0) {
-        return fail(error, ERROR_DOMAIN, "there is no wave front to draw");
-    }
-    if (drawing.count == drawing.curve_count) {
-        return fail(error, ERROR_USAGE,
-                    "{--curve} needs an option with several values, such as a range");
-    }
-    return rms_curves_draw(&drawing, &svg, error) && drawing_write(job, &svg, sink, error);
 }
 
 static const struct artifact artifacts[] = {

@@ -1,0 +1,32 @@
+/* commands/analysis/wavefront_curves.h - what lenscalc wavefront is asked, and its curves. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_COMMANDS_ANALYSIS_WAVEFRONT_CURVES_H
+#define LENSCALC_COMMANDS_ANALYSIS_WAVEFRONT_CURVES_H
+
+#include "analysis/waves/wavefront.h"
+#include "commands/analysis/analysis_cursor.h"
+
+enum { NO_ZERNIKE }; /* else enum zernike_kind + 1 */
+
+struct wavefront_input {
+    struct analysis_question question;
+    int reference, zernike; /* enum wave_about; enum zernike_kind, NO_WORD: none */
+    long terms, size;       /* size: NO_INTEGER = MAP_SIZE, of a drawing DRAWN_SIZE */
+    bool fringes;
+};
+
+extern const struct analysis_policy wavefront_policy;
+
+/*
+ * Make a field ready.
+ *
+ * Errors    as wavefront_open; ERROR_USAGE: several wavelengths, of what is not polychromatic
+ */
+bool wavefront_field_open(const struct analysis_cursor *at, const struct analysis_case *one,
+                          size_t field, bool is_polychromatic, struct wavefront_source *source,
+                          struct error *error);
+
+/* The drawing of --curve. */
+bool wavefront_curves(const struct artifact_job *job, struct output *sink, struct error *error);
+
+#endif
