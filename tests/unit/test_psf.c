@@ -9,45 +9,22 @@
 #include <math.h>
 #include <string.h>
 
-enum { ROWS = 96, WIDE = 20 * PSF_LANES };
+enum { ROWS = 96 };
 
 static const long double pi = 3.14159265358979323846264338327950288L;
 
 /* Those that this processor has. */
-static size_t sets(const struct psf_kernels *list[3])
+static size_t sets(kernel_psf *list[3])
 {
     size_t count = 0;
-    list[count++] = &psf_kernels_sse2;
+    list[count++] = kernel_psf_sse2;
     if (processor_has_avx2()) {
-        list[count++] = &psf_kernels_avx2;
+        list[count++] = kernel_psf_avx2;
     }
     if (processor_has_avx512()) {
-        list[count++] = &psf_kernels_avx512;
+        list[count++] = kernel_psf_avx512;
     }
     return count;
-}
-
-/* A wave that turns often, over more lanes than one turns on by itself. */
-static void test_wave(void)
-{
-    const struct psf_kernels *list[3];
-    const struct psf_wave wave = {0.7, 12.375, -0.1234567};
-    double first[2][WIDE];
-    for (size_t k = 0, count = sets(list); k < count; k++) {
-        double re[WIDE] = {0}, im[WIDE] = {0}, worst = 0;
-        list[k]->add_wave(&wave, &(struct psf_row){re, im, WIDE});
-        for (int i = 0; i < WIDE; i++) {
-            const long double angle = 2 * pi * (wave.turns + (long double)wave.step * i);
-            worst = fmax(worst, fabs(re[i] - (double)(wave.amplitude * cosl(angle))));
-            worst = fmax(worst, fabs(im[i] - (double)(wave.amplitude * sinl(angle))));
-        }
-        CHECK_NEAR(worst, 0, 1e-13, "40 turns of 1e-15, and eight steps");
-        if (k == 0) {
-            memcpy(first[0], re, sizeof re);
-            memcpy(first[1], im, sizeof im);
-        }
-        CHECK(memcmp(first[0], re, sizeof re) == 0 && memcmp(first[1], im, sizeof im) == 0);
-    }
 }
 
 /* From four values of a cubic, three of which are 0, what it is at the first rows. */
@@ -73,14 +50,14 @@ static struct psf_steps cubic(void)
 /* A sphere of 50 mm with 1700 waves a mm, and an image of 0.1 mm, off its middle. */
 static void test_wavelet(void)
 {
-    const struct psf_kernels *list[3];
+    kernel_psf *list[3];
     const struct psf_wavelet wavelet = {0.3, 0.25, 1700, 50, 4, -3};
     const struct psf_steps steps = cubic();
     double first[2][ROWS * PSF_LANES];
     for (size_t k = 0, count = sets(list); k < count; k++) {
         double re[ROWS * PSF_LANES] = {0}, im[ROWS * PSF_LANES] = {0}, worst = 0;
         const struct psf_strip strip = {0.02, -0.05, 0.001, re, im};
-        list[k]->add_wavelet(&wavelet, &steps, &strip);
+        list[k](&wavelet, &steps, &strip);
         for (int i = 0; i < ROWS * PSF_LANES; i++) {
             const long double x = strip.x + (i % PSF_LANES) * (long double)strip.pitch;
             const long double y = strip.y + (i / PSF_LANES) * (long double)strip.pitch;
@@ -156,7 +133,6 @@ int main(void)
 {
     test_rays_centroid(false);
     test_rays_centroid(true);
-    test_wave();
     test_wavelet();
     return check_report();
 }

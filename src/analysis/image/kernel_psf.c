@@ -8,46 +8,13 @@
 #define JOINED(a, b) a##_##b
 #define NAMED(a, b)  JOINED(a, b)
 
-enum { LANES = PSF_LANES, NODES = PSF_NODES, TURNED_MOST = 8 * LANES };
+enum { LANES = PSF_LANES, NODES = PSF_NODES };
 
 static inline void kernel_psf_turn(const double *restrict turns, double *restrict c,
                                    double *restrict s)
 {
     for (int l = 0; l < LANES; l++) {
         turns_of(turns[l], &c[l], &s[l]);
-    }
-}
-
-static void add_wave(const struct psf_wave *wave, const struct psf_row *row)
-{
-    double turns[LANES], c[LANES], s[LANES], over_c, over_s;
-    turns_of(wave->step * LANES, &over_c, &over_s);
-    for (size_t first = 0; first < row->count; first += LANES) {
-        double *restrict re = row->re + first, *restrict im = row->im + first;
-        if (first % TURNED_MOST == 0) {
-            for (int l = 0; l < LANES; l++) {
-                turns[l] = wave->turns + wave->step * (double)((int)first + l);
-            }
-            kernel_psf_turn(turns, c, s);
-        }
-        for (int l = 0; l < LANES; l++) {
-            const double before = c[l], side = s[l];
-            re[l] += wave->amplitude * before;
-            im[l] += wave->amplitude * side;
-            c[l] = before * over_c - side * over_s;
-            s[l] = before * over_s + side * over_c;
-        }
-    }
-}
-
-static void kernel_psf_add_row(const struct psf_row *from, double c, double s,
-                               const struct psf_row *row)
-{
-    const double *restrict x = from->re, *restrict y = from->im;
-    double *restrict re = row->re, *restrict im = row->im;
-    for (size_t i = 0; i < row->count; i++) {
-        re[i] += c * x[i] - s * y[i];
-        im[i] += c * y[i] + s * x[i];
     }
 }
 
@@ -105,8 +72,8 @@ static inline void turn_on(double (*a)[LANES], double (*c)[LANES], double (*s)[L
     s[m][l] = before * s[m + 1][l] + side * c[m + 1][l];
 }
 
-static void add_wavelet(const struct psf_wavelet *wavelet, const struct psf_steps *steps,
-                        const struct psf_strip *strip)
+void NAMED(kernel_psf, KERNEL)(const struct psf_wavelet *wavelet, const struct psf_steps *steps,
+                               const struct psf_strip *strip)
 {
     struct along turns, sizes;
     double c[NODES][LANES], s[NODES][LANES], a[NODES][LANES]; /* which nothing else can be */
@@ -130,5 +97,3 @@ static void add_wavelet(const struct psf_wavelet *wavelet, const struct psf_step
         }
     }
 }
-
-const struct psf_kernels NAMED(psf_kernels, KERNEL) = {add_wave, kernel_psf_add_row, add_wavelet};

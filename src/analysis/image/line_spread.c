@@ -4,11 +4,9 @@
 
 #include "analysis/image/psf_light.h"
 #include "base/constants.h"
-#include "base/instruction_set.h"
 #include "base/lagrange.h"
 
 #include <math.h>
-#include <string.h>
 
 enum { TAPS = LAGRANGE_MOST, LINES_MOST = 1 << 15 };
 
@@ -18,39 +16,25 @@ static const double fine = 0.125;
 /* What sums over the pupil leave of an edge. */
 static const double least = 1e-5;
 
-/* Rows as kernels want them. */
-static struct psf_row line_spread_row(size_t count, struct arena *arena)
-{
-    const size_t room = (count + PSF_LANES - 1) / PSF_LANES * PSF_LANES;
-    return (struct psf_row){ARENA_ARRAY(arena, room, double), ARENA_ARRAY(arena, room, double),
-                            room};
-}
-
 /* The light of one wavelength in one direction: added to `line`, times `weight`. */
 static void line_spread_add(const struct psf_plane *plane, const struct psf_points *points,
                             double weight, const struct line_spread_image *image, double *line)
 {
-    static const struct psf_kernels *const sets[] = {NULL, &psf_kernels_sse2, &psf_kernels_avx2,
-                                                     &psf_kernels_avx512};
-    const struct psf_kernels *kernel = sets[instruction_set_best(SET_BEST)];
     const double wave = plane->pupil->n * plane->pupil->waves * image->step;
-    const double first = -(double)(image->count / 2);
-    const struct psf_row row = line_spread_row(image->count, plane->arena);
-    for (size_t k = 0, i = 0; k < points->lines; k++) {
-        if (i == points->ends[k]) {
-            continue;
-        }
-        memset(row.re, 0, row.count * sizeof *row.re);
-        memset(row.im, 0, row.count * sizeof *row.im);
-        for (; i < points->ends[k]; i++) {
-            const double s =
-                plane->along[0] * points->at[i][0] + plane->along[1] * points->at[i][1];
-            const struct psf_wave one = {points->amplitudes[i], points->waves[i] - s * wave * first,
-                                         -s * wave};
-            kernel->add_wave(&one, &row);
-        }
-        for (size_t x = 0; x < image->count; x++) {
-            line[x] += weight / points->widths[k] * (row.re[x] * row.re[x] + row.im[x] * row.im[x]);
+    const double across_place[2] = {wave * plane->along[0], wave * plane->along[1]};
+    const struct gridding gridding = gridding_open(image->count, plane->arena);
+    struct psf_cells cells = psf_cells_new(&gridding, plane->arena);
+    for (size_t first = 0, count; first < points->lines; first += count) {
+        count = psf_lines_transform(&gridding, points, across_place, first, &cells);
+        for (size_t l = 0; l < count; l++) {
+            const double share = weight / points->widths[first + l];
+            const double *re = cells.re + l * gridding.fft.length;
+            const double *im = cells.im + l * gridding.fft.length;
+            for (size_t x = 0; x < image->count; x++) {
+                const size_t cell = gridding_cell(&gridding, x);
+                line[x] += share * (re[cell] * re[cell] + im[cell] * im[cell]) /
+                           (gridding.left[x] * gridding.left[x]);
+            }
         }
     }
 }

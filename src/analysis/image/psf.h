@@ -66,7 +66,7 @@ struct psf {
  *           they leave of the waves; sums take Gauss's points, see psf_points_put. By rays the
  *           light of a pixel is that of the rays which meet it, over the same perfect peak: what
  *           interferes is lost, and the peak is a mean over a pixel
- * Source    [Goodman05] 5.2, [Hopkins55]
+ * Source    [Goodman05] 5.2, [Hopkins55], [GreengardLee04]
  * Errors    as exit_pupils_open; ERROR_DOMAIN: pixels too coarse for the transform, a wave front
  *           too steep for PSF_TRANSFORM_MOST or psf_points_fit, wavelets without a sphere, rays
  *           of an image infinitely far away

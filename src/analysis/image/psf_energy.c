@@ -58,8 +58,10 @@ bool psf_energy_open(const struct psf_energy_question *question, struct arena *a
         image->centre[k] = question->about_chief ? 0 : image->psf.centroid[k];
         image->off[k] = question->about_chief ? 0 : image->psf.centroid_error[k];
     }
-    asked.is_perfect = true;
-    return !question->has_limit || psf_find(&asked, arena, &image->perfect, error);
+    asked.is_perfect = true; /* about the chief ray */
+    return !question->has_limit || (energy_pixels_choose(fmax(farthest, 12 * look.finest),
+                                                         look.finest, &asked, unit, error) &&
+                                    psf_find(&asked, arena, &image->perfect, error));
 }
 
 /* -------- light between pixels -------- */

@@ -6,6 +6,7 @@
 #include "base/constants.h"
 #include "base/instruction_set.h"
 #include "base/parallel.h"
+#include "base/turns.h"
 #include "trace/aim/sample.h"
 
 #include <math.h>
@@ -123,6 +124,7 @@ bool psf_points_put(const struct psf_plane *plane, struct psf_points *points, st
             gauss_panels_of(putting.rules, (double)lines_across(&putting, piece));
         for (size_t i = 0; i < rows.each * rows.panels; i++) {
             /* The points of one line. */
+            const size_t before = points->count;
             struct exit_spans spans;
             double slope;
             const double t =
@@ -143,8 +145,10 @@ bool psf_points_put(const struct psf_plane *plane, struct psf_points *points, st
                     putting.weights[points->count] = width * length * gauss_panels_weight(&rule, k);
                 }
             }
-            points->widths[points->lines] = width;
-            points->ends[points->lines++] = points->count;
+            if (points->count > before) {
+                points->widths[points->lines] = width;
+                points->ends[points->lines++] = points->count;
+            }
         }
     }
     points->waves = ARENA_ARRAY(arena, points->count, double);
@@ -159,68 +163,134 @@ bool psf_points_put(const struct psf_plane *plane, struct psf_points *points, st
     return true;
 }
 
-/* Wavelets may be off so many turns. */
-static const double fine = 1e-8;
-
-static const struct psf_kernels *kernels(void)
-{
-    static const struct psf_kernels *const sets[] = {NULL, &psf_kernels_sse2, &psf_kernels_avx2,
-                                                     &psf_kernels_avx512};
-    return sets[instruction_set_best(SET_BEST)];
-}
-
-/* Room for a row of pixels, and as many more as a kernel wants. */
-static struct psf_row new_row(size_t size, struct arena *arena)
-{
-    const size_t count = (size + PSF_LANES - 1) / PSF_LANES * PSF_LANES;
-    return (struct psf_row){ARENA_ARRAY(arena, count, double), ARENA_ARRAY(arena, count, double),
-                            count};
-}
-
-static void clear_row(const struct psf_row *row)
-{
-    memset(row->re, 0, row->count * sizeof row->re[0]);
-    memset(row->im, 0, row->count * sizeof row->im[0]);
-}
-
 /* -------- plane waves -------- */
 
-/* A wave is that of its x times that of its y: rows of a line's points, then lines of rows. */
+/* Spread the points of a line over the cells of frequency. */
+static void psf_line_put(const struct gridding *gridding, const struct psf_points *points,
+                         const double across_place[2], size_t line, double *re, double *im)
+{
+    for (size_t i = line > 0 ? points->ends[line - 1] : 0; i < points->ends[line]; i++) {
+        const double turns =
+            points->at[i][0] * across_place[0] + points->at[i][1] * across_place[1];
+        const struct gridding_wave wave = gridding_wave(gridding, turns);
+        double c, s;
+        turns_of(points->waves[i], &c, &s);
+        c *= points->amplitudes[i];
+        s *= points->amplitudes[i];
+        for (size_t k = 0, cell = wave.first; k < GRIDDING_TAPS; k++) {
+            re[cell] += wave.shares[k] * c;
+            im[cell] += wave.shares[k] * s;
+            cell = gridding_next(gridding, cell);
+        }
+    }
+}
+
+size_t psf_lines_transform(const struct gridding *gridding, const struct psf_points *points,
+                           const double across_place[2], size_t first, struct psf_cells *cells)
+{
+    const size_t length = gridding->fft.length, left = points->lines - first;
+    const struct fft_lines lines = {cells->re, cells->im, left < FFT_LANES ? left : FFT_LANES,
+                                    length, 1};
+    memset(cells->re, 0, FFT_LANES * length * sizeof *cells->re);
+    memset(cells->im, 0, FFT_LANES * length * sizeof *cells->im);
+    for (size_t l = 0; l < lines.count; l++) {
+        psf_line_put(gridding, points, across_place, first + l, cells->re + l * length,
+                     cells->im + l * length);
+    }
+    fft_transform(&gridding->fft, false, &lines, SET_BEST, cells->arena);
+    return lines.count;
+}
+
+struct psf_cells psf_cells_new(const struct gridding *gridding, struct arena *arena)
+{
+    const size_t room = FFT_LANES * gridding->fft.length;
+    return (struct psf_cells){ARENA_ARRAY(arena, room, double), ARENA_ARRAY(arena, room, double),
+                              arena};
+}
+
+/* Sums over the points of each line, at each column of the image. */
+struct psf_line_sums {
+    double *re, *im;                   /* size each line */
+    const struct gridding_wave *waves; /* of the lines, from row to row */
+    size_t lines;
+};
+
+enum { COLUMNS = 4 * FFT_LANES };
+
+/* Sums of lines at all rows of some columns. */
+static void psf_columns_add(const struct psf_plane *plane, const struct gridding *gridding,
+                            const struct psf_line_sums *sums, size_t first)
+{
+    const struct arena_mark mark = arena_mark(plane->arena);
+    const size_t length = gridding->fft.length, size = plane->size;
+    const size_t columns = size - first < COLUMNS ? size - first : COLUMNS;
+    double *re = ARENA_ARRAY(plane->arena, length * COLUMNS, double);
+    double *im = ARENA_ARRAY(plane->arena, length * COLUMNS, double);
+    for (size_t k = 0; k < sums->lines; k++) {
+        const double *from_re = sums->re + k * size + first, *from_im = sums->im + k * size + first;
+        for (size_t tap = 0, cell = sums->waves[k].first; tap < GRIDDING_TAPS; tap++) {
+            const double share = sums->waves[k].shares[tap];
+            double *to_re = re + cell * COLUMNS, *to_im = im + cell * COLUMNS;
+            for (size_t x = 0; x < columns; x++) {
+                to_re[x] += share * from_re[x];
+                to_im[x] += share * from_im[x];
+            }
+            cell = gridding_next(gridding, cell);
+        }
+    }
+    const struct fft_lines lines = {re, im, columns, 1, COLUMNS};
+    fft_transform(&gridding->fft, false, &lines, SET_BEST, plane->arena);
+    for (size_t y = 0; y < size; y++) {
+        const size_t cell = gridding_cell(gridding, y) * COLUMNS;
+        for (size_t x = 0; x < columns; x++) {
+            plane->re[y * size + first + x] = re[cell + x] / gridding->left[y];
+            plane->im[y * size + first + x] = im[cell + x] / gridding->left[y];
+        }
+    }
+    arena_reset(plane->arena, mark);
+}
+
+/* A wave is that of its x times that of its y: rows of a line's points, then columns of lines. */
 bool psf_by_plane(struct psf_plane *plane, struct error *error)
 {
-    const struct psf_kernels *kernel = kernels();
     const size_t size = plane->size;
     const double wave = plane->pupil->n * plane->pupil->waves * plane->pitch;
-    const double first = -(double)(size / 2);
+    const double across_place[2] = {wave, 0};
     struct psf_points points;
     if (!psf_points_put(plane, &points, error)) {
         return false;
     }
-    const struct psf_row line = new_row(size, plane->arena), up = new_row(size, plane->arena);
-    const struct psf_row used = {line.re, line.im, size};
-    for (size_t k = 0, i = 0; k < points.lines; k++) {
-        if (i == points.ends[k]) {
-            continue;
+    struct arena *arena = plane->arena;
+    const struct gridding gridding = gridding_open(size, arena);
+    struct psf_cells cells = psf_cells_new(&gridding, arena);
+    struct gridding_wave *waves = ARENA_ARRAY(arena, points.lines, struct gridding_wave);
+    const struct psf_line_sums sums = {ARENA_ARRAY(arena, points.lines * size, double),
+                                       ARENA_ARRAY(arena, points.lines * size, double), waves,
+                                       points.lines};
+    for (size_t first = 0, count; first < points.lines; first += count) {
+        count = psf_lines_transform(&gridding, &points, across_place, first, &cells);
+        for (size_t l = 0; l < count; l++) {
+            const size_t line = first + l, last = points.ends[line] - 1;
+            double *re = sums.re + line * size, *im = sums.im + line * size;
+            waves[line] = gridding_wave(&gridding, points.at[last][1] * wave);
+            for (size_t x = 0; x < size; x++) {
+                const size_t cell = l * gridding.fft.length + gridding_cell(&gridding, x);
+                re[x] = cells.re[cell] / gridding.left[x];
+                im[x] = cells.im[cell] / gridding.left[x];
+            }
         }
-        const double t = points.at[i][1] * wave;
-        clear_row(&line);
-        for (; i < points.ends[k]; i++) {
-            const double s = points.at[i][0] * wave;
-            const struct psf_wave one = {points.amplitudes[i], points.waves[i] - s * first, -s};
-            kernel->add_wave(&one, &line);
-        }
-        clear_row(&up);
-        kernel->add_wave(&(struct psf_wave){1, -t * first, -t}, &up);
-        for (size_t y = 0; y < size; y++) {
-            const struct psf_row row = {plane->re + y * size, plane->im + y * size, size};
-            kernel->add_row(&used, up.re[y], up.im[y], &row);
-        }
+    }
+    for (size_t first = 0; first < size; first += COLUMNS) {
+        psf_columns_add(plane, &gridding, &sums, first);
     }
     plane->perfect = points.total;
     return true;
 }
 
 /* -------- wavelets -------- */
+
+/* Wavelets may be off so many turns. */
+static const double fine = 1e-8;
 
 /* Cubics through Chebyshev's nodes. */
 static struct psf_steps steps_of(size_t rows)
@@ -277,7 +347,7 @@ static size_t rows_at_once(const struct psf_plane *plane, double radius, double 
 static void add_strip(const struct psf_plane *plane, const struct psf_points *points,
                       const struct psf_strip *strip)
 {
-    const struct psf_kernels *kernel = kernels();
+    kernel_psf *add_wavelet = KERNEL_FOR(SET_BEST, kernel_psf);
     const struct opd_reference *sphere = &plane->pupil->reference->opd;
     const double waves = plane->pupil->n * plane->pupil->waves;
     const size_t rows = rows_at_once(plane, sphere->radius, waves);
@@ -296,7 +366,7 @@ static void add_strip(const struct psf_plane *plane, const struct psf_points *po
                 .bx = sphere->side * sphere->radius * points->at[i][0],
                 .by = sphere->side * sphere->radius * points->at[i][1],
             };
-            kernel->add_wavelet(&one, &steps, &part);
+            add_wavelet(&one, &steps, &part);
         }
     }
 }

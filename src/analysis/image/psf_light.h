@@ -4,29 +4,11 @@
 #define LENSCALC_ANALYSIS_IMAGE_PSF_LIGHT_H
 
 #include "analysis/image/psf.h"
+#include "base/gridding.h"
 
 #include <stddef.h>
 
 enum { PSF_LANES = 16, PSF_NODES = 4, PSF_ROWS_MOST = 256 };
-
-/* A row of complex numbers. */
-struct psf_row {
-    double *re, *im;
-    size_t count;
-};
-
-/*
- * Add a plane wave: amplitude exp(2 pi i (turns + step i)) at place i of a row whose length is a
- * multiple of PSF_LANES. Each lane turns on from the one PSF_LANES before, eight times at most.
- */
-struct psf_wave {
-    double amplitude, turns, step;
-};
-typedef void psf_add_wave(const struct psf_wave *wave, const struct psf_row *row);
-
-/* Add another row, times a complex number. */
-typedef void psf_add_row(const struct psf_row *from, double re, double im,
-                         const struct psf_row *row);
 
 /*
  * A wavelet of a sphere about the origin of the image: at x and y amplitude
@@ -55,16 +37,11 @@ struct psf_strip {
  * that the wave of the next row is this one's times that of the difference, and so on; the
  * amplitude R/r likewise, by sums.
  */
-typedef void psf_add_wavelet(const struct psf_wavelet *wavelet, const struct psf_steps *steps,
-                             const struct psf_strip *strip);
+typedef void kernel_psf(const struct psf_wavelet *wavelet, const struct psf_steps *steps,
+                        const struct psf_strip *strip);
 
 /* Compiled once for each instruction set, with the same bits. */
-struct psf_kernels {
-    psf_add_wave *add_wave;
-    psf_add_row *add_row;
-    psf_add_wavelet *add_wavelet;
-};
-extern const struct psf_kernels psf_kernels_sse2, psf_kernels_avx2, psf_kernels_avx512;
+kernel_psf kernel_psf_sse2, kernel_psf_avx2, kernel_psf_avx512;
 
 /* Pixels at work; mm, or of an image infinitely far away sines of angles. */
 struct psf_plane {
@@ -89,7 +66,7 @@ psf_way psf_by_plane, psf_by_fft, psf_by_huygens;
 struct psf_points {
     double (*at)[2];            /* direction cosines; a line along x has one of the second */
     double *waves, *amplitudes; /* W, wavelengths; times what each counts */
-    size_t *ends;               /* behind each line */
+    size_t *ends;               /* behind each line, which has one point at least */
     double *widths;             /* of each line, which its amplitudes are times */
     size_t lines, count;
     double total; /* of the amplitudes */
@@ -112,5 +89,24 @@ bool psf_points_fit(const struct psf_plane *plane, struct error *error);
  * Errors    as psf_points_fit
  */
 bool psf_points_put(const struct psf_plane *plane, struct psf_points *points, struct error *error);
+
+/* Sums over the points of FFT_LANES lines, fft.length cells each. */
+struct psf_cells {
+    double *re, *im;
+    struct arena *arena;
+};
+struct psf_cells psf_cells_new(const struct gridding *gridding, struct arena *arena);
+
+/*
+ * The sums of amplitude exp(2 pi i (W - f x)) over the points of lines, at the places x of a
+ * gridding.
+ *
+ * Given     across_place  f of a point is its product with that, turns from a place to the next
+ *           first         of the lines
+ *           cells         receives each sum at gridding_cell, to be divided by gridding->left
+ * Result    how many lines
+ */
+size_t psf_lines_transform(const struct gridding *gridding, const struct psf_points *points,
+                           const double across_place[2], size_t first, struct psf_cells *cells);
 
 #endif
