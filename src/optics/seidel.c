@@ -4,12 +4,6 @@
 
 #include <math.h>
 
-/* The two rays at one surface: heights, n u before and after. */
-struct two_rays {
-    struct pair y, v, after;
-    struct pair chief_y, chief_v, chief_after;
-};
-
 /* One surface: curvature at the vertex; index and its dispersion before and after. */
 struct interface {
     struct pair c, n[2], dn[2];
@@ -49,7 +43,7 @@ static struct pair seidel_change(struct pair after, struct pair a, struct pair b
 /* -------- the two rays in object space -------- */
 
 /* y = (b1/a1) .. of both rays by what the part before the stop does with them. */
-static bool trace_back(const struct seidel_question *question, struct two_rays *rays,
+static bool trace_back(const struct seidel_question *question, struct seidel_rays *rays,
                        struct error *error)
 {
     const struct paraxial_system *system = question->system;
@@ -84,12 +78,13 @@ static bool trace_back(const struct seidel_question *question, struct two_rays *
                 lost ? "chief" : "marginal");
 }
 
-static bool seidel_start(const struct seidel_question *question, struct two_rays *rays,
-                         struct error *error)
+bool seidel_object_rays(const struct seidel_question *question, struct seidel_rays *rays,
+                        struct error *error)
 {
     const struct first_order *first = question->first;
     if (first->is_telecentric) { /* whose beams no stop limits */
-        *rays = (struct two_rays){.y = pair_of(first->marginal_y), .v = pair_of(first->marginal_v)};
+        *rays =
+            (struct seidel_rays){.y = pair_of(first->marginal_y), .v = pair_of(first->marginal_v)};
         rays->chief_y = pair_of(first->chief_y);
         rays->chief_v = pair_of(first->chief_v);
         return isfinite(first->marginal_v) || fail(error, ERROR_DOMAIN, "the lens has no aperture");
@@ -137,13 +132,13 @@ static struct interface interface_at(const struct seidel_question *question, siz
 }
 
 /* H, the same in every space. */
-static struct pair invariant(const struct two_rays *rays)
+static struct pair invariant(const struct seidel_rays *rays)
 {
     return pair_subtract(pair_multiply(rays->y, rays->chief_v),
                          pair_multiply(rays->chief_y, rays->v));
 }
 
-static void add_sphere(const struct interface *at, const struct two_rays *rays,
+static void add_sphere(const struct interface *at, const struct seidel_rays *rays,
                        struct exact_part *part)
 {
     const struct pair nc = pair_multiply(at->n[0], at->c), one = pair_of(1);
@@ -171,7 +166,7 @@ static void add_sphere(const struct interface *at, const struct two_rays *rays,
     part->sum[SEIDEL_LATERAL_COLOR] = pair_multiply(Abar, colour);
 }
 
-static void add_asphere(const struct interface *at, const struct two_rays *rays,
+static void add_asphere(const struct interface *at, const struct seidel_rays *rays,
                         struct exact_part *part)
 {
     static const int powers[] = {[SEIDEL_SPHERICAL] = 0,
@@ -210,9 +205,9 @@ bool seidel_compute(const struct seidel_question *question, struct arena *arena,
                     struct seidel *seidel, struct error *error)
 {
     const struct paraxial_system *system = question->system;
-    struct two_rays rays;
+    struct seidel_rays rays;
     struct exact_part total = {0};
-    if (!seidel_start(question, &rays, error)) {
+    if (!seidel_object_rays(question, &rays, error)) {
         return false;
     }
     *seidel = (struct seidel){.parts = ARENA_ARRAY(arena, system->count, struct seidel_part),

@@ -47,6 +47,12 @@ struct seidel {
     size_t distorting;    /* a thick lens whose distortion is left out; LENS_NONE */
 };
 
+/* The marginal and the chief ray at one surface: heights, n u before and after. */
+struct seidel_rays {
+    struct pair y, v, after;
+    struct pair chief_y, chief_v, chief_after;
+};
+
 /* The forms that the sums are known by. */
 enum seidel_form {
     SEIDEL_WAVES,      /* W040 W131 W222 W220 W311 W020c W111c */
@@ -79,6 +85,15 @@ enum seidel_form {
  */
 bool seidel_compute(const struct seidel_question *question, struct arena *arena,
                     struct seidel *seidel, struct error *error);
+
+/*
+ * The two rays before the first surface, as the sums have them.
+ *
+ * Result    rays    y, v, chief_y, chief_v; the chief ray is NaN where there is no field
+ * Errors    ERROR_DOMAIN: no stop, no aperture; a chief ray of an angle that never reaches the stop
+ */
+bool seidel_object_rays(const struct seidel_question *question, struct seidel_rays *rays,
+                        struct error *error);
 
 /*
  * A part of the sums in another form.
