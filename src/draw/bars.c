@@ -82,6 +82,18 @@ static void bars_draw_words(const struct bars *bars, double width, double top, d
 
 static const double STRIP = 66, STRIP_GAP = 28; /* px: of a kind, and to the next */
 
+static void bars_draw_mark(const struct bar_group *group, size_t kind, const struct plot_axis *axis,
+                           double x, double reach, struct svg *svg)
+{
+    if (group->marks != NULL && isfinite(group->marks[kind])) {
+        const double y = plot_page_at(axis, group->marks[kind]);
+        svg_styled_line(svg, &(struct svg_style){.stroke = "#fff", .width = 4}, x - reach, y,
+                        x + reach, y);
+        svg_styled_line(svg, &(struct svg_style){.stroke = "#000", .width = 1.6}, x - reach, y,
+                        x + reach, y);
+    }
+}
+
 /* The strip of a kind: bars about a line at 0, and lines at a round number on both sides. */
 static void bars_draw_strip(const struct bars *bars, size_t kind, const struct bars_page *page,
                             double top, struct svg *svg)
@@ -89,9 +101,11 @@ static void bars_draw_strip(const struct bars *bars, size_t kind, const struct b
     const double bottom = top + STRIP, right = page->width - RIGHT;
     struct plot_axis axis = {.start = bottom, .stop = top};
     for (size_t g = 0; g < bars->group_count; g++) {
-        const double value = bars->groups[g].values[kind]; /* of NaN fmin and fmax take the other */
-        axis.low = fmin(axis.low, value);
-        axis.high = fmax(axis.high, value);
+        const struct bar_group *group = &bars->groups[g];
+        const double value = group->values[kind]; /* of NaN fmin and fmax take the other */
+        const double mark = group->marks != NULL ? group->marks[kind] : value;
+        axis.low = fmin(axis.low, fmin(value, mark));
+        axis.high = fmax(axis.high, fmax(value, mark));
     }
     const double most = fmax(axis.high, -axis.low), round = most > 0 ? ticks_round_below(most) : 1;
     const double room = 0.04 * (axis.high - axis.low);
@@ -113,6 +127,8 @@ static void bars_draw_strip(const struct bars *bars, size_t kind, const struct b
         svg_styled_rect(svg, &(struct svg_style){.fill = palette_colour(kind)},
                         LEFT + ((double)g + 0.5) * page->pitch - bar / 2, fmin(y, zero), bar,
                         fabs(y - zero));
+        bars_draw_mark(&bars->groups[g], kind, &axis, LEFT + ((double)g + 0.5) * page->pitch,
+                       0.7 * bar, svg);
     }
     svg_styled_line(svg, &(struct svg_style){.stroke = "#333"}, LEFT, top, LEFT, bottom);
     svg_words(svg, LEFT + 4, top - 6, NUMBER_SIZE, SVG_START, NULL, bars->kinds[kind]);

@@ -13,6 +13,7 @@ struct svg;
 struct bar_group {
     const char *label;    /* below the axis: "3"; null = none */
     const double *values; /* one a kind; not finite = no bar */
+    const double *marks;  /* a line across each bar, where own_scales; null = none */
     bool apart;           /* stands by itself on a tinted ground: a sum */
 };
 

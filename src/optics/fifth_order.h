@@ -26,7 +26,7 @@ enum fifth_order_term {
     FIFTH_TERMS
 };
 
-/* What one surface adds, or the sums, mm: 1/q of struct seidel makes them transverse aberrations. */
+/* What one surface adds, or the sums, mm; over slope of struct seidel a transverse aberration. */
 struct fifth_order_part {
     double sum[FIFTH_TERMS];
     double intrinsic[FIFTH_TERMS]; /* of it, for light that no surface before has aberrated */
@@ -52,10 +52,11 @@ struct fifth_order {
  *           with Y, V the ray's height and slope (tangents) in the vertex plane and y, u those of
  *           the marginal ray, n (y V - u Y) is the same on both sides of a gap, and what refraction
  *           adds to it is the surface's contribution. Y, V as series in rho^2, rho h cos, h^2:
- *           the ray meets z = f(s), s = |Y + z V|^2; with p = 1 - 2 f' (Y + z V) V, G = 1 + 4 f'^2 s,
- *           W = 1 + V^2, k = n/n': m = (n' sqrt(W G (1 - k^2) + k^2 p^2) - n p)/G,
+ *           the ray meets z = f(s), s = |Y + z V|^2; with p = 1 - 2 f' (Y + z V) V,
+ *           G = 1 + 4 f'^2 s, W = 1 + V^2, k = n/n':
+ *           m = (n' sqrt(W G (1 - k^2) + k^2 p^2) - n p)/G,
  *           V' = (n V - 2 m f' (Y + z V))/(n + m)
- * Source    [Buchdahl54] for the quasi-invariant, intrinsic and induced parts and the twelve;
+ * Source    [Buchdahl68] for the quasi-invariant, intrinsic and induced parts and the twelve;
  *           [Cruickshank60] for the names; the series is derived here from Snell's law, and exact
  *           rays differ from it by the seventh power
  * Errors    those of seidel_compute; ERROR_DOMAIN: A5 of an odd asphere

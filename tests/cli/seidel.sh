@@ -38,3 +38,19 @@ for field in image real; do
 done
 printf 'lens relay\nobject 100 telecentric\nfield height 5\naperture na 0.1\nsurface 50 4 1.5 -\nsurface -50 0 air -\n' |
     lenscalc seidel - --plot bars.svg > /dev/null && grep -o 'NA [0-9.]* in object space' bars.svg
+# the fifth order: mm in the image, angles of an afocal lens, its parts, and what does not go with it
+lenscalc seidel double-gauss --order 5
+lenscalc seidel double-gauss --order 5 --csv --digits 5 | tail -n 1
+lenscalc seidel double-gauss --order 5 --columns surface,B5,intrinsic_B5,induced_B5,E5,intrinsic_E5,induced_E5 --digits 4 --csv
+lenscalc seidel ./telescope.lens --order 5
+lenscalc seidel double-gauss --order 5 --json --digits 4 --columns surface,C5,PI5 | tail -n 8
+lenscalc seidel phone-80deg --order 5 --columns surface,B5,E5 | tail -n 5
+lenscalc seidel ./near.lens --order 5 --columns surface,B5,M2
+printf 'lens odd\nfield angle 4\naperture epd 4\nsurface 60 5 1.5 - stop A5=1e-5\n' | lenscalc seidel - --order 5
+printf 'lens axis\naperture epd 4\nfield angle 0\nsurface 60 5 1.5 - stop\n' | lenscalc seidel - --order 5 --field 0
+lenscalc seidel double-gauss --order 5 --form waves
+lenscalc seidel double-gauss --order 5 --chromatic lens
+lenscalc seidel double-gauss --order 7
+lenscalc seidel double-gauss --order fifth
+lenscalc seidel double-gauss --order 5 --plot fifth.svg > /dev/null && grep -o 'N3 elliptical[^<]*\|lines: intrinsic parts' fifth.svg
+lenscalc seidel double-gauss --order 5 --explain --columns surface,F2 | tail -n 3

@@ -30,7 +30,7 @@ int main(void)
     static const double first[] = {1000, 0.5}, second[] = {-1000, -1}, third[] = {500, 1};
     static const char *const kinds[] = {"distortion", "coma"};
     const struct bar_group groups[] = {
-        {"1", first, false}, {"2", second, false}, {"sum", third, true}};
+        {"1", first, NULL, false}, {"2", second, NULL, false}, {"sum", third, NULL, true}};
     struct bars bars = {.kinds = kinds, .kind_count = 2, .groups = groups, .group_count = 3};
     struct arena arena = {0};
     struct svg shared = {.arena = &arena}, own = {.arena = &arena};
@@ -44,6 +44,16 @@ int main(void)
     CHECK(strstr(own.data, ">distortion</text>") != NULL &&
           strstr(own.data, ">coma</text>") != NULL);
     CHECK(strstr(own.data, ">1000</text>") != NULL && strstr(own.data, ">−1</text>") != NULL);
+    /* a line across a bar of another kind may lie beyond it */
+    static const double far[] = {4000, 0.5};
+    struct bar_group marked[] = {{"1", first, far, false}};
+    struct svg lines = {.arena = &arena};
+    bars.groups = marked;
+    bars.group_count = 1;
+    CHECK(bars_draw(&bars, &lines, &error));
+    CHECK_NEAR(highest(lines.data, 0) / highest(own.data, 0), 0.25 * 2, 0.05,
+               "its strip reaches from 0 to four times its bar, not from -1 to 1");
+    CHECK(strstr(lines.data, ">1000</text>") == NULL);
     arena_free(&arena);
     return check_report();
 }

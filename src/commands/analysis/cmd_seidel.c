@@ -1,40 +1,14 @@
 /* commands/analysis/cmd_seidel.c - lenscalc seidel: aberrations surface by surface. */
 /* SPDX-License-Identifier: MIT */
-#include "commands/analysis/analysis_cursor.h"
-#include "draw/bars.h"
-#include "optics/seidel.h"
-#include "optics/wavelength.h"
+#include "commands/analysis/seidel_case.h"
 
-#include <math.h>
 #include <string.h>
 
-/* --form */
-enum { FORM_WELFORD, FORM_TRANSVERSE, FORM_WAVES };
-
-/* --chromatic */
-enum { CHROMATIC_LINES, CHROMATIC_LENS };
-
-struct seidel_input {
-    struct analysis_question question;
-    int form, chromatic;
+static const struct word orders[] = {
+    [ORDER_THIRD] = {"3", "Seidel's"},
+    [ORDER_FIFTH] = {"5", "Buchdahl's twelve coefficients, in the image"},
+    {NULL, NULL},
 };
-
-/* The sums of one lens in one position. */
-struct seidel_case {
-    const struct setup *setup;
-    struct analysis_point point; /* what its rows say of their place */
-    struct setup_light light;
-    struct seidel seidel;
-    struct field_point field; /* an angle, or the height of the object; FIELD_NONE */
-    double blue, red;         /* um, of CI and CII; NaN where they are absent */
-    const char *warning;      /* null = all is well */
-};
-
-static const struct analysis_policy policy = {.wavelengths = WAVELENGTHS_PRIMARY,
-                                              .fields = FIELDS_EDGE,
-                                              .one_wavelength = true,
-                                              .no_image = true,
-                                              .is_narrow = true};
 
 static const struct word forms[] = {
     [FORM_WELFORD] = {"welford", "the Seidel sums S1 .. S5 and C1, C2, mm"},
@@ -57,10 +31,13 @@ static const struct option options[] = {
     LENS_POSITION_OPTION(struct seidel_input, question),
     LENS_SECTION_OPTION(struct seidel_input, question),
     ANALYSIS_OBJECT_OPTION,
+    {OPTION(struct seidel_input, order), .name = "order", .words = orders, .fallback = "3",
+     .value = "ORDER", .help = "order of the aberrations"},
     {OPTION(struct seidel_input, form), .name = "form", .words = forms, .fallback = "welford",
-     .value = "FORM", .help = "how the aberrations are expressed"},
+     .wants = "order=3", .value = "FORM", .help = "how the aberrations are expressed"},
     {OPTION(struct seidel_input, chromatic), .name = "chromatic", .words = pairs,
-     .fallback = "lines", .value = "PAIR", .help = "wavelength pair of the chromatic sums"},
+     .fallback = "lines", .wants = "order=3", .value = "PAIR",
+     .help = "wavelength pair of the chromatic sums"},
 };
 
 struct seidel_row {
@@ -70,7 +47,8 @@ struct seidel_row {
     double values[SEIDEL_TERMS + 1]; /* last: tangential coma */
     bool is_angular;                 /* they are angles */
     double asphere[SEIDEL_TERMS];
-    double lagrange; /* mm */
+    double fifth[FIFTH_TERMS], intrinsic[FIFTH_TERMS], induced[FIFTH_TERMS]; /* mm, rad */
+    double lagrange;                                                         /* mm */
 };
 
 #define PLAIN(member_name, more) COLUMN(struct seidel_row, member_name), .flags = (more)
@@ -91,6 +69,18 @@ static const struct column_form angle = {&dimension_angle, "mrad", "of an afocal
           .dimension = &dimension_length, .unit = "mm", .flags = COLUMN_BRIEF | COLUMN_SPARSE,     \
           .name = (column_name), .label = (words), .help = (words))
 
+#define FIFTH_OF(part, i, more, column_name, words)                                                \
+    ENTRY(COLUMN_OR(struct seidel_row, part[i], is_angular, &angle),                               \
+          .dimension = &dimension_length, .unit = "mm", .flags = COLUMN_SPARSE | (more),           \
+          .name = (column_name), .label = (words), .help = (words))
+#define FIFTH(i, column_name, words) FIFTH_OF(fifth, i, COLUMN_BRIEF, column_name, words)
+#define INTRINSIC(i, column_name)                                                                  \
+    FIFTH_OF(intrinsic, i, COLUMN_EXTRA, "intrinsic_" column_name,                                 \
+             column_name " of light that no surface before has aberrated")
+#define INDUCED(i, column_name)                                                                    \
+    FIFTH_OF(induced, i, COLUMN_EXTRA, "induced_" column_name,                                     \
+             column_name " by the aberrations of the surfaces before")
+
 #define CASE_COLUMNS                                                                               \
     ENTRY(WAVE(point.wavelength, COLUMN_ECHO), .depends = "wavelength lens position",              \
           .name = "wavelength", .help = "wavelength of the rays"),                                 \
@@ -110,13 +100,17 @@ static const struct column_form angle = {&dimension_angle, "mrad", "of an afocal
         ENTRY(PLAIN(surface, COLUMN_BRIEF), .name = "surface",                                     \
               .help = "number of the surface, from 1, the stop included; the last row is the sum")
 
-#define TAIL_COLUMNS                                                                               \
+#define TAIL_COLUMNS COLOUR_COLUMNS, END_COLUMNS
+
+#define COLOUR_COLUMNS                                                                             \
     ENTRY(WAVE(blue, COLUMN_ECHO), .depends = "chromatic lens", .name = "blue",                    \
           .label = "colour from", .help = "shorter wavelength of the chromatic sums"),             \
         ENTRY(WAVE(red, COLUMN_ECHO), .depends = "chromatic lens", .name = "red",                  \
-              .label = "colour to", .help = "the longer one"),                                     \
-        ENTRY(LENGTH(lagrange, COLUMN_EXTRA), .name = "lagrange", .label = "Lagrange invariant",   \
-              .symbol = "H", .help = "Lagrange invariant n (y ubar - ybar u)"),                    \
+              .label = "colour to", .help = "the longer one")
+
+#define END_COLUMNS                                                                                \
+    ENTRY(LENGTH(lagrange, COLUMN_EXTRA), .name = "lagrange", .label = "Lagrange invariant",       \
+          .symbol = "H", .help = "Lagrange invariant n (y ubar - ybar u)"),                        \
         LENS_TITLE_COLUMN(struct seidel_row, point.lens),                                          \
         LENS_WARNING_COLUMN(struct seidel_row, point.warning)
 
@@ -161,6 +155,48 @@ static const struct column transverse_columns[] = {
     TAIL_COLUMNS,
 };
 
+static const struct column fifth_columns[] = {
+    CASE_COLUMNS,
+    FIFTH(FIFTH_B5, "B5", "spherical aberration"),
+    FIFTH(FIFTH_F1, "F1", "linear coma, tangential"),
+    FIFTH(FIFTH_F2, "F2", "linear coma"),
+    FIFTH(FIFTH_M1, "M1", "oblique spherical aberration, tangential"),
+    FIFTH(FIFTH_M2, "M2", "oblique spherical aberration, sagittal"),
+    FIFTH(FIFTH_M3, "M3", "oblique spherical aberration, with cos^2"),
+    FIFTH(FIFTH_N1, "N1", "elliptical coma, tangential"),
+    FIFTH(FIFTH_N2, "N2", "elliptical coma, tangential, with cos 2 theta"),
+    FIFTH(FIFTH_N3, "N3", "elliptical coma, sagittal"),
+    FIFTH(FIFTH_C5, "C5", "astigmatism"),
+    FIFTH(FIFTH_PI5, "PI5", "Petzval curvature"),
+    FIFTH(FIFTH_E5, "E5", "distortion"),
+    INTRINSIC(FIFTH_B5, "B5"),
+    INTRINSIC(FIFTH_F1, "F1"),
+    INTRINSIC(FIFTH_F2, "F2"),
+    INTRINSIC(FIFTH_M1, "M1"),
+    INTRINSIC(FIFTH_M2, "M2"),
+    INTRINSIC(FIFTH_M3, "M3"),
+    INTRINSIC(FIFTH_N1, "N1"),
+    INTRINSIC(FIFTH_N2, "N2"),
+    INTRINSIC(FIFTH_N3, "N3"),
+    INTRINSIC(FIFTH_C5, "C5"),
+    INTRINSIC(FIFTH_PI5, "PI5"),
+    INTRINSIC(FIFTH_E5, "E5"),
+    INDUCED(FIFTH_B5, "B5"),
+    INDUCED(FIFTH_F1, "F1"),
+    INDUCED(FIFTH_F2, "F2"),
+    INDUCED(FIFTH_M1, "M1"),
+    INDUCED(FIFTH_M2, "M2"),
+    INDUCED(FIFTH_M3, "M3"),
+    INDUCED(FIFTH_N1, "N1"),
+    INDUCED(FIFTH_N2, "N2"),
+    INDUCED(FIFTH_N3, "N3"),
+    INDUCED(FIFTH_C5, "C5"),
+    INDUCED(FIFTH_PI5, "PI5"),
+    INDUCED(FIFTH_E5, "E5"),
+    END_COLUMNS,
+};
+
+static const struct sheet fifth_sheet = SHEET(fifth_columns, struct seidel_row);
 static const struct sheet sheets[] = {
     [FORM_WELFORD] = SHEET(columns, struct seidel_row),
     [FORM_TRANSVERSE] = SHEET(transverse_columns, struct seidel_row),
@@ -168,146 +204,44 @@ static const struct sheet sheets[] = {
 };
 
 static const struct sheet *const all_sheets[] = {&sheets[FORM_WELFORD], &sheets[FORM_TRANSVERSE],
-                                                 &sheets[FORM_WAVES], NULL};
+                                                 &sheets[FORM_WAVES], &fifth_sheet, NULL};
 
 static const struct sheet *seidel_choose_sheet(const void *data, const struct option_query *asking)
 {
     (void)asking;
-    return &sheets[((const struct seidel_input *)data)->form];
-}
-
-/* -------- a case -------- */
-
-/* What the sums leave out. */
-static const char *seidel_case_doubts_of(const struct seidel_case *one, struct arena *arena)
-{
-    const struct lens *lens = one->setup->lens;
-    const char *words = one->warning;
-    bool has_cylinder = false;
-    for (size_t i = 0; i < lens->surface_count; i++) {
-        has_cylinder = has_cylinder || !surface_is_round(&lens->surfaces[i]);
-    }
-    if (has_cylinder) {
-        words =
-            lens_warnings_join(words,
-                               "the lens has cylinders: the sums are those of a round lens with "
-                               "the profiles of this section",
-                               arena);
-    }
-    if (one->seidel.distorting != LENS_NONE) {
-        words = lens_warnings_join(
-            words,
-            arena_printf(arena, "the distortion of the thick lens, surface %zu, is left out",
-                         one->seidel.distorting + 1),
-            arena);
-    }
-    return words;
-}
-
-/* The sums of the case of a cursor. */
-static bool seidel_sum_up(const struct analysis_cursor *at, struct seidel_case *one,
-                          struct error *error)
-{
-    const struct seidel_input *input = at->input;
-    const struct setup *setup = at->one->setup;
-    struct arena *arena = at->run->arena;
-    *one = (struct seidel_case){.setup = setup,
-                                .point = analysis_point_of(at->one, at->field),
-                                .field = setup_edge_in_object(setup),
-                                .warning = at->one->warning};
-    if (!setup_light(setup, 0, &one->light, error)) {
-        return false;
-    }
-    const bool of_image = setup->edge.kind == FIELD_IMAGE || setup->edge.kind == FIELD_REAL;
-    if (of_image && isinf(one->light.first.magnification)) {
-        return fail(error, ERROR_DOMAIN,
-                    "the field is an image height, but the image is infinitely far away");
-    }
-    struct error colours;
-    if (isnan(one->light.first.working_fnumber)) {
-        fail(error, ERROR_DOMAIN,
-             "the lens has no aperture: the height of its marginal ray is "
-             "not known");
-        return error_hint(error, "give an f-number with -N, or an aperture in the file");
-    }
-    /* the two wavelengths of CI and CII */
-    const bool of_lens = input->chromatic == CHROMATIC_LENS;
-    one->blue = of_lens ? INFINITY : WAVELENGTH_F;
-    one->red = of_lens ? 0 : WAVELENGTH_C;
-    for (size_t i = 0; i < setup->lens->wavelength_count && of_lens; i++) {
-        one->blue = fmin(one->blue, setup->lens->wavelengths[i].wavelength);
-        one->red = fmax(one->red, setup->lens->wavelengths[i].wavelength);
-    }
-    if (!(one->blue < one->red)) {
-        return fail(error, ERROR_DOMAIN,
-                    "{--chromatic} lens: the lens states only one wavelength, and so no "
-                    "dispersion");
-    }
-    /* the indices there; without them CI and CII are absent */
-    struct paraxial_system blue, red;
-    const bool has_colours =
-        paraxial_compile(setup->lens, one->blue, setup->section, arena, &blue, &colours) &&
-        paraxial_compile(setup->lens, one->red, setup->section, arena, &red, &colours);
-    if (!has_colours) {
-        const bool others =
-            input->chromatic == CHROMATIC_LINES && setup->lens->wavelength_count > 1;
-        const char *hint = others ? "; --chromatic lens takes the lens's own wavelengths" : "";
-        one->warning = lens_warnings_join(
-            one->warning,
-            ARENA_JOIN(arena, "the chromatic sums are absent: ", colours.message, hint), arena);
-        one->blue = one->red = NAN;
-    }
-    const struct seidel_question question = {
-        .lens = setup->lens,
-        .system = &one->light.system,
-        .blue_n = has_colours ? blue.index : NULL,
-        .red_n = has_colours ? red.index : NULL,
-        .section = setup->section,
-        .object = &setup->object,
-        .first = &one->light.first,
-        .field_kind = one->field.kind,
-        .field = one->field.value[setup_axis(setup)],
-    };
-    if (!seidel_compute(&question, arena, &one->seidel, error)) {
-        return false;
-    }
-    one->warning = seidel_case_doubts_of(one, arena);
-    return true;
-}
-
-/* Is the image infinitely far away, so that transverse aberrations are angles? */
-static bool seidel_is_angular(const struct seidel_case *one)
-{
-    return isinf(one->light.first.image) || one->seidel.slope == 0;
-}
-
-/* A part of the sums as --form wants it: mm, rad where the image is at infinity, or waves. */
-static void seidel_in_form(const struct seidel_case *one, const struct seidel_part *part, int form,
-                           double values[SEIDEL_TERMS])
-{
-    const struct seidel *seidel = &one->seidel;
-    const double n = one->light.first.index_image;
-    if (form == FORM_WELFORD) {
-        memcpy(values, part->sum, sizeof part->sum);
-        return;
-    }
-    if (form == FORM_WAVES) {
-        seidel_convert(part, SEIDEL_WAVES, 1e3 / one->light.wavelength, values);
-        return;
-    }
-    const double unit = seidel_is_angular(one) ? -1 / (n * seidel->height) : 1 / seidel->slope;
-    seidel_convert(part, SEIDEL_TRANSVERSE, unit, values);
+    const struct seidel_input *input = data;
+    return input->order == ORDER_FIFTH ? &fifth_sheet : &sheets[input->form];
 }
 
 /* -------- rows -------- */
 
+static void seidel_row_third(const struct seidel_case *one, const struct seidel_part *part,
+                             int form, struct seidel_row *row)
+{
+    row->is_angular = form == FORM_TRANSVERSE && seidel_case_is_angular(one);
+    seidel_case_in_form(one, part, form, row->values);
+    row->values[SEIDEL_TERMS] = 3 * row->values[SEIDEL_COMA];
+    memcpy(row->asphere, part->asphere, sizeof row->asphere);
+}
+
+static void seidel_row_fifth(const struct seidel_case *one, const struct fifth_order_part *part,
+                             struct seidel_row *row)
+{
+    row->is_angular = seidel_case_is_angular(one);
+    seidel_case_fifth(one, part->sum, row->fifth);
+    seidel_case_fifth(one, part->intrinsic, row->intrinsic);
+    for (size_t i = 0; i < FIFTH_TERMS; i++) {
+        row->induced[i] = row->fifth[i] - row->intrinsic[i];
+    }
+}
+
 static bool seidel_run(const void *data, struct run *run, struct error *error)
 {
     const struct seidel_input *input = data;
-    struct analysis_cursor at = analysis_begin(input, &policy, run);
+    struct analysis_cursor at = analysis_begin(input, &seidel_policy, run);
     while (analysis_next(&at, error)) {
         struct seidel_case one;
-        if (!seidel_sum_up(&at, &one, error)) {
+        if (!seidel_case_make(&at, &one, error)) {
             return false;
         }
         struct seidel_row row = {
@@ -323,10 +257,11 @@ static bool seidel_run(const void *data, struct run *run, struct error *error)
             const bool is_sum = i == one.light.system.count;
             const struct seidel_part *part = is_sum ? &one.seidel.total : &one.seidel.parts[i];
             row.surface = is_sum ? "sum" : arena_printf(run->arena, "%zu", i + 1);
-            row.is_angular = input->form == FORM_TRANSVERSE && seidel_is_angular(&one);
-            seidel_in_form(&one, part, input->form, row.values);
-            row.values[SEIDEL_TERMS] = 3 * row.values[SEIDEL_COMA];
-            memcpy(row.asphere, part->asphere, sizeof row.asphere);
+            if (input->order == ORDER_FIFTH) {
+                seidel_row_fifth(&one, is_sum ? &one.fifth.total : &one.fifth.parts[i], &row);
+            } else {
+                seidel_row_third(&one, part, input->form, &row);
+            }
             if (!run_emit(run, &row)) {
                 break;
             }
@@ -335,121 +270,9 @@ static bool seidel_run(const void *data, struct run *run, struct error *error)
     return error->code == ERROR_NONE;
 }
 
-/* -------- the bar diagram -------- */
-
-/* What the bars are called, in each form. */
-static const char *const names[][SEIDEL_TERMS] = {
-    [FORM_WELFORD] = {"S1 spherical", "S2 coma", "S3 astigmatism", "S4 Petzval", "S5 distortion",
-                      "C1 axial colour", "C2 lateral colour"},
-    [FORM_TRANSVERSE] = {"TSC spherical", "CC_s sagittal coma", "TAC astigmatism", "TPC Petzval",
-                         "DC distortion", "TAchC axial colour", "TchC lateral colour"},
-    [FORM_WAVES] = {"W040 spherical", "W131 coma", "W222 astigmatism", "W220 field curvature",
-                    "W311 distortion", "W020c axial colour", "W111c lateral colour"},
-};
-
-static const double THOUSAND = 1000;
-static const double DROWNS = 5; /* sums that differ more have scales of their own */
-
-static const char *seidel_view_subtitle_of(const struct seidel_case *one, struct arena *arena)
-{
-    const struct setup *setup = one->setup;
-    const struct first_order *first = &one->light.first;
-    const double value = one->field.value[setup_axis(setup)];
-    const char *field = "no field";
-    if (one->field.kind == FIELD_ANGLE) {
-        field = arena_printf(arena, "field %.5g deg", value * DEGREES_PER_RADIAN);
-    } else if (one->field.kind == FIELD_HEIGHT) {
-        field = arena_printf(arena, "object height %.5g mm", value);
-    }
-    const char *aperture = analysis_aperture_words(first, arena);
-    const char *colours = isnan(one->blue)
-                              ? ""
-                              : arena_printf(arena, ", colour %.5g to %.5g nm",
-                                             THOUSAND * one->blue, THOUSAND * one->red);
-    const char *from =
-        setup->fields_from == NULL ? "" : arena_printf(arena, " (%s)", setup->fields_from);
-    return arena_printf(
-        arena, "%s%s%s, %s%s, at %.5g nm%s", setup->position != NULL ? setup->position : "",
-        setup->position != NULL ? ", " : "", aperture != NULL ? aperture : "no aperture", field,
-        from, THOUSAND * one->light.wavelength, colours);
-}
-
-static bool seidel_view_check(const struct artifact_job *job, struct error *error)
-{
-    const struct seidel_input *input = job->inputs[0];
-    return !lens_positions_several(input->question.lens.lens, input->question.position) ||
-           fail(error, ERROR_USAGE, "{--plot} shows one position: name it with {--position}");
-}
-
-/* Is one sum so much larger than another that this would not be seen beside it? */
-static bool seidel_one_drowns(double *const *values, size_t count)
-{
-    double least = INFINITY, most = 0;
-    for (size_t k = 0; k < SEIDEL_TERMS; k++) {
-        double kind = 0; /* of NaN fmax takes the other */
-        for (size_t i = 0; i < count; i++) {
-            kind = fmax(kind, fabs(values[i][k]));
-        }
-        least = kind > 0 ? fmin(least, kind) : least;
-        most = fmax(most, kind);
-    }
-    return most > DROWNS * least;
-}
-
-static bool seidel_draw(const struct artifact_job *job, struct output *sink, struct error *error)
-{
-    const struct seidel_input *input = job->inputs[0];
-    struct svg svg = {.arena = job->run->arena};
-    struct analysis_cursor at = analysis_begin(input, &policy, job->run);
-    struct seidel_case one;
-    if (!analysis_next(&at, error) || !seidel_sum_up(&at, &one, error)) {
-        return false;
-    }
-    const size_t count = one.light.system.count;
-    struct bar_group *groups = ARENA_ARRAY(svg.arena, count + 1, struct bar_group);
-    double **values = ARENA_ARRAY(svg.arena, count + 1, double *);
-    for (size_t i = 0; i <= count; i++) {
-        values[i] = ARENA_ARRAY(svg.arena, SEIDEL_TERMS, double);
-        seidel_in_form(&one, i < count ? &one.seidel.parts[i] : &one.seidel.total, input->form,
-                       values[i]);
-        groups[i] =
-            (struct bar_group){.label = i < count ? arena_printf(svg.arena, "%zu", i + 1) : "sum",
-                               .values = values[i],
-                               .apart = i == count};
-    }
-    static const char *const what[] = {[FORM_WELFORD] = "Seidel sums",
-                                       [FORM_TRANSVERSE] = "Transverse third-order aberrations",
-                                       [FORM_WAVES] = "Third-order wavefront"};
-    /* in thousandths of the unit where all bars are below a tenth of it */
-    double largest = 0;
-    for (size_t i = 0; i < (count + 1) * SEIDEL_TERMS; i++) {
-        largest = fmax(largest, fabs(values[i / SEIDEL_TERMS][i % SEIDEL_TERMS]));
-    }
-    const bool waves = input->form == FORM_WAVES;
-    const bool angular = input->form == FORM_TRANSVERSE && seidel_is_angular(&one);
-    const bool small = !waves && (largest < 0.1 || angular);
-    for (size_t i = 0; i < (count + 1) * SEIDEL_TERMS && small; i++) {
-        values[i / SEIDEL_TERMS][i % SEIDEL_TERMS] *= THOUSAND;
-    }
-    const char *length = small ? "\xc2\xb5m" : "mm", *unit = waves ? "waves" : length;
-    unit = angular ? "mrad" : unit;
-    const struct bars bars = (struct bars){
-        .own_scales = seidel_one_drowns(values, count + 1),
-        .title = arena_printf(svg.arena, "%s of %s", what[input->form], one.setup->lens->title),
-        .subtitle = seidel_view_subtitle_of(&one, svg.arena),
-        .x_label = "surface",
-        .y_label = arena_printf(svg.arena, "contribution (%s)", unit),
-        .kinds = names[input->form],
-        .kind_count = SEIDEL_TERMS,
-        .groups = groups,
-        .group_count = count + 1,
-    };
-    return bars_draw(&bars, &svg, error) && drawing_write(job, &svg, sink, error);
-}
-
 static const struct artifact artifacts[] = {
     {ARTIFACT_OPTION("plot", drawing_types, "draw the sums as bars, surface by surface"),
-     .scope = ARTIFACT_OF_ANSWER, .check = seidel_view_check, .make = seidel_draw},
+     .scope = ARTIFACT_OF_ANSWER, .check = seidel_figure_check, .make = seidel_figure_draw},
 };
 
 static const struct explanation explanations[] = {
@@ -479,6 +302,20 @@ static const struct explanation explanations[] = {
     {"DC", "DC = S5/2q, q = n' u' of the marginal ray", "[Smith05]", NULL},
     {"TAchC", "TAchC = C1/q, q = n' u' of the marginal ray", "[Smith05]", NULL},
     {"TchC", "TchC = C2/q, q = n' u' of the marginal ray", "[Smith05]", NULL},
+    {"B5", "x = B5 rho^5 sin t, y = B5 rho^5 cos t", "[Cruickshank60]",
+     "fifth order, beside the third: seventh powers are left out"},
+    {"F1", "y = (F1 + F2 cos 2t) rho^4 h", "[Cruickshank60]", NULL},
+    {"F2", "x = F2 rho^4 h sin 2t", "[Cruickshank60]", NULL},
+    {"M1", "y = (M1 + M3 cos^2 t) rho^3 h^2 cos t", "[Cruickshank60]", NULL},
+    {"M2", "x = (M2 + M3 cos^2 t) rho^3 h^2 sin t", "[Cruickshank60]", NULL},
+    {"M3", "x = (M2 + M3 cos^2 t) rho^3 h^2 sin t", "[Cruickshank60]", NULL},
+    {"N1", "y = (N1 + N2 cos 2t) rho^2 h^3", "[Cruickshank60]", NULL},
+    {"N2", "y = (N1 + N2 cos 2t) rho^2 h^3", "[Cruickshank60]", NULL},
+    {"N3", "x = N3 rho^2 h^3 sin 2t", "[Cruickshank60]", NULL},
+    {"C5", "y = (5 C5 + PI5) rho h^4 cos t, x = (C5 + PI5) rho h^4 sin t", "[Cruickshank60]", NULL},
+    {"PI5", "y = (5 C5 + PI5) rho h^4 cos t, x = (C5 + PI5) rho h^4 sin t", "[Cruickshank60]",
+     NULL},
+    {"E5", "y = E5 h^5", "[Cruickshank60]", NULL},
     {NULL, NULL, NULL, NULL},
 };
 
@@ -487,6 +324,9 @@ static const struct example examples[] = {
     {"seidel double-gauss -N 4 --field 10deg --form transverse", "stopped down, in the image"},
     {"seidel double-gauss --form waves --csv", "wavefront coefficients for a spreadsheet"},
     {"seidel double-gauss --columns surface,S1,asphere_S1", "what the aspheres do, if any"},
+    {"seidel double-gauss --order 5", "the fifth order: Buchdahl's coefficients"},
+    {"seidel double-gauss --order 5 --columns surface,B5,intrinsic_B5,induced_B5",
+     "what a surface adds by itself, and by what comes before it"},
     {"seidel double-gauss --plot seidel.svg", "a bar diagram"},
     {NULL, NULL},
 };
@@ -502,7 +342,7 @@ const struct command command_seidel = {
     .name = "seidel",
     .stop_size_wants = "",
     .group = "analyses",
-    .summary = "third-order aberrations and colour, surface by surface",
+    .summary = "third- or fifth-order aberrations and colour, surface by surface",
     COMMAND_ASKS(struct seidel_input),
     COMMAND_ANSWERS(struct seidel_row),
     .run = seidel_run,
