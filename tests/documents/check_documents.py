@@ -337,6 +337,26 @@ def check_pages(checks):
         checks.check(named <= there - {own}, f"{page}: SEE ALSO names {sorted(named - there)}")
 
 
+def check_trade_names(checks):
+    """lenscalc(1) lists the names of trade_aliases: "option (command)", then its other names."""
+    with open("src/cli/question/trade_names.c", encoding="utf-8") as file:
+        table = file.read().partition("trade_aliases[] = {")[2].partition("{NULL")[0]
+    known, shown, option = set(), set(), ""
+    for names, meant, command in re.findall(r'\{"([^"]+)",\s*"([^"]+)",\s*("[^"]+"|NULL),', table):
+        where = "" if command == "NULL" else " (" + command.strip('"') + ")"
+        known |= {(meant + where, name) for name in names.split()}
+    with open("man/lenscalc.1", encoding="utf-8") as file:
+        section = file.read().partition(".SS Other names of options\n")[2].partition("\n.SS")[0]
+    for _, lines in page_blocks(section):
+        for line in lines:
+            option = line[:24].strip() or option
+            shown |= {(option, name.strip().replace("-", ""))
+                      for name in line[24:].split(",") if name.strip()}
+    for entry in known ^ shown:
+        checks.check(False, f"man/lenscalc.1, other names of options: {entry}")
+    checks.check(len(known) > 50, f"trade_names.c: {len(known)} names found")
+
+
 def check_keywords(checks, program):
     with open(keyword_tables.PAGE, encoding="utf-8") as file:
         text = file.read()
@@ -368,6 +388,7 @@ def main():
     check_words(checks, program, commands)
     check_keys(checks)
     check_keywords(checks, program)
+    check_trade_names(checks)
     check_pages(checks)
     checks.finish()
 
