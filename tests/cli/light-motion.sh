@@ -16,3 +16,7 @@ one time,shake -f 85 --rotation 2deg/s
 one handheld -f 85 --rotation 2deg/s --stabiliser 3 --sensor aps-c
 one pan_rate,subject_blur,background_blur -f 200 -s 30m -v 60km/h -t 1/60 --track 0.95
 one skew,skew_shift -f 50 -s 10m -v 10m/s -t 1/250 --readout 15ms
+
+# a lens and nothing that moves: the hand-held rule alone, 1/(f x crop)
+lenscalc motion 200mm --sensor 24x16mm --csv --columns focal_mm,handheld_s,time_s,coc_mm
+lenscalc motion 200mm --stabiliser 3

@@ -222,6 +222,19 @@ static bool motion_take_field(struct motion_input *own, struct run *run, struct 
     return true;
 }
 
+/* A lens and no motion: what is asked is how long it can be held by hand. */
+static bool motion_is_still(const struct motion_input *input)
+{
+    const double others[] = {input->speed,    input->time,  input->magnification, input->distance,
+                             input->rotation, input->track, input->readout,
+                             input->blur.coc.value};
+    bool is_still = is_given(input->focal.length) && input->height == 0;
+    for (size_t i = 0; i < sizeof others / sizeof others[0] && is_still; i++) {
+        is_still = !is_given(others[i]);
+    }
+    return is_still;
+}
+
 static bool motion_run(const void *data, struct run *run, struct error *error)
 {
     struct motion_input own = *(const struct motion_input *)data;
@@ -236,6 +249,7 @@ static bool motion_run(const void *data, struct run *run, struct error *error)
     if (!is_solved && !is_given(own.focal.length) && !is_given(own.magnification)) {
         own.focal.length = own.sharp.sensor.focal; /* of a camera with one lens; else not known */
     }
+    const bool is_still = motion_is_still(input);
     struct motion_row row = {
         .motion = {input->speed, input->time, NAN, NAN, input->angle, input->distance,
                    input->height},
@@ -252,13 +266,16 @@ static bool motion_run(const void *data, struct run *run, struct error *error)
         .pan = {NAN, NAN, NAN},
         .skew = {NAN, NAN},
         .sensor = input->sharp.sensor.name,
-        .criterion = input->sharp.coc.criterion,
+        .criterion = is_still ? NULL : input->sharp.coc.criterion,
     };
     const struct sensor *sensor = &input->sharp.sensor.size;
-    bool turns = is_given(input->rotation);
-    if (!sharpness_resolve(&input->sharp, NAN, &row.c, error) ||
+    const bool turns = is_given(input->rotation);
+    if (is_still) {
+        row.motion.angle = row.c = NAN;
+    }
+    if ((!is_still && !sharpness_resolve(&input->sharp, NAN, &row.c, error)) ||
         !motion_magnify(input, &row.motion.m, error) ||
-        ((!turns || is_given(input->speed)) && !solve_subject(input, &row, error)) ||
+        ((!turns || is_given(input->speed)) && !is_still && !solve_subject(input, &row, error)) ||
         (turns && !solve_shake(input, &row, error)) ||
         (is_given(input->track) && !solve_panning(input, &row, error))) {
         return false;
@@ -296,6 +313,7 @@ static const struct example examples[] = {
      "a table to print"},
     {"motion -f 200mm -s 30m --speed 60km/h -t 1/60 --track 0.95", "panning"},
     {"motion -f 85mm --rotation 2deg/s", "how long to hold still"},
+    {"motion 200mm --sensor aps-c", "how long by hand: the rule of thumb alone"},
     {NULL, NULL},
 };
 
