@@ -225,9 +225,9 @@ static bool motion_take_field(struct motion_input *own, struct run *run, struct 
 /* A lens and no motion: what is asked is how long it can be held by hand. */
 static bool motion_is_still(const struct motion_input *input)
 {
-    const double others[] = {input->speed,    input->time,  input->magnification, input->distance,
-                             input->rotation, input->track, input->readout,
-                             input->blur.coc.value};
+    const double others[] = {input->speed,    input->time,          input->magnification,
+                             input->distance, input->rotation,      input->track,
+                             input->readout,  input->blur.coc.value};
     bool is_still = is_given(input->focal.length) && input->height == 0;
     for (size_t i = 0; i < sizeof others / sizeof others[0] && is_still; i++) {
         is_still = !is_given(others[i]);
