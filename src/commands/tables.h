@@ -77,4 +77,8 @@ static inline const char *said_first(const struct said *list, size_t count)
     said_first((const struct said[]){__VA_ARGS__},                                                 \
                sizeof((const struct said[]){__VA_ARGS__}) / sizeof(struct said))
 
+/* Of an option for a refractive index, which words are no value of. */
+#define INDEX_WORDS                                                                                \
+    "an index is a number: of air 1, water 1.33, glass about 1.5; lenscalc glass NAME has others"
+
 #endif

@@ -20,3 +20,8 @@ one skew,skew_shift -f 50 -s 10m -v 10m/s -t 1/250 --readout 15ms
 # a lens and nothing that moves: the hand-held rule alone, 1/(f x crop)
 lenscalc motion 200mm --sensor 24x16mm --csv --columns focal_mm,handheld_s,time_s,coc_mm
 lenscalc motion 200mm --stabiliser 3
+# a pixel on the subject: do3think's example, 2000 mm/s and 0.1 mm, is 20 kHz
+lenscalc motion --gsd 2cm -t 1/500 --blur 0.01mm
+one line_rate,time,blur_pixels,magnification -v 2000mm/s --gsd 0.1mm
+one speed --gsd 3cm -t 1/500
+one time,blur --gsd 0.1mm -v 1m/s --pitch 5um --blur 2px

@@ -106,3 +106,17 @@ try fov 50mm --sensor 1280x720px
 try diffraction --aperture 8in..11in:1in --columns diameter --csv
 try focus 200mm --reversed 50mm
 try dof -m 0 -N 11 -c 0.015mm
+# pixels over a field, an angle over a field, a field on a sensor: no lens has a part in these
+csv fov --width 30ft --pixels 2048 --columns ppf
+csv fov --pixels 2592 --ppf 45,60px/ft --columns density,field_width
+csv fov --pixels 2592x1944 --task identify --columns field_width,field_height
+csv fov --width 3m --pixels 2592x1944 --portrait --columns field_height,object_pixel
+csv fov --horizontal 1.7deg --width 48ft --columns distance,solved_for
+csv fov --vertical 20deg --height 2m --sensor "DJI Mini 2" --columns distance,field_height
+try fov --vertical 20deg --width 2m
+csv fov --sensor aps-c --width 5mm --columns magnification,focal
+csv fov --horizontal 90deg --pixels 800x600 --columns ppd
+csv fov 720mm --pixel 4.7um --columns scale
+try fov 50mm --ppf
+try lensmaker -f 20cm --index 1.5 --planoconvex=3
+try motion 200mm --handheld

@@ -4,6 +4,7 @@
 
 #include "cli/answer/complain.h"
 #include "cli/question/echo.h"
+#include "cli/question/trade_names.h"
 #include "report/report.h"
 
 #include <string.h>
@@ -213,6 +214,20 @@ int columns_print(const struct command *command, const struct common *common, st
     return 0;
 }
 
+/* The column, perhaps with a unit, that the trade calls so; null: none of this sheet. */
+static const char *column_of_trade(const struct sheet *sheet, struct text name, struct arena *arena)
+{
+    struct shown shown;
+    struct error ignored;
+    for (size_t i = 0; trade_columns[i].names != NULL; i++) {
+        if (text_lists_name(trade_columns[i].names, name) &&
+            report_find_column(sheet, text_of(trade_columns[i].option), arena, &shown, &ignored)) {
+            return trade_columns[i].option;
+        }
+    }
+    return NULL;
+}
+
 const char *columns_from_options(const struct command *command, const struct sheet *sheet,
                                  const char *names, const char *separators, struct arena *arena)
 {
@@ -237,6 +252,10 @@ const char *columns_from_options(const struct command *command, const struct she
         if (taken && !has_column(&own, column, strlen(column))) {
             /* it was added: a name that one of the command's own answers to means that */
             taken = !report_find_column(&own, name, arena, &shown, &ignored);
+        }
+        if (!known && !taken && !report_find_column(sheet, name, arena, &shown, &ignored)) {
+            column = column_of_trade(sheet, name, arena);
+            taken = column != NULL;
         }
         all = taken ? arena_printf(arena, "%s%s", all, column)
                     : arena_printf(arena, "%s%.*s", all, (int)length, names);

@@ -87,6 +87,28 @@ static const struct option *meant_by(const struct arguments *arguments, struct t
     return hinted != NULL ? hinted->option : NULL;
 }
 
+/* The column of an answer of this command by that name; null: there is none. */
+static const struct column *column_meant(const struct command *command, struct text name)
+{
+    const struct sheet *const single[] = {&command->sheet, NULL};
+    const struct sheet *const *sheets = command->sheets != NULL ? command->sheets : single;
+    const struct trade_name *trade = trade_columns;
+    while (trade->names != NULL && !text_lists_name(trade->names, name)) {
+        trade++;
+    }
+    name = trade->names != NULL ? text_of(trade->option) : name;
+    for (size_t i = 0; sheets[i] != NULL; i++) {
+        for (size_t k = 0; k < sheets[i]->column_count; k++) {
+            const struct column *column = &sheets[i]->columns[k];
+            if (text_same_name(name, text_of(column->name)) ||
+                (column->label != NULL && text_same_name(name, text_of(column->label)))) {
+                return column;
+            }
+        }
+    }
+    return NULL;
+}
+
 static bool arguments_unknown(const struct arguments *arguments, struct text name,
                               const char *dashes, struct error *error)
 {
@@ -116,6 +138,13 @@ static bool arguments_unknown(const struct arguments *arguments, struct text nam
     }
     if (meant != NULL) {
         return error_hint(error, "here it is '--%s': %s", meant->name, meant->help);
+    }
+    const struct column *column = column_meant(arguments->command, name);
+    if (column != NULL) {
+        return error_hint(error,
+                          "it is in the answer without being asked for: leave it out, or "
+                          "have it alone by --columns %s",
+                          column->name);
     }
     if (nearest.best.start != NULL) {
         return error_hint(error, "did you mean '--%.*s'?", (int)nearest.best.length,
@@ -185,7 +214,9 @@ static bool arguments_take(const struct arguments *arguments, struct argument *a
     }
     if (!is_flag(argument) && text.start == NULL) {
         if (words->at == words->count || names_option(arguments, words->all[words->at])) {
-            return fail(error, ERROR_USAGE, "--%s needs a value: %s", name,
+            const bool is_called = argument->called != NULL;
+            return fail(error, ERROR_USAGE, "%s%s needs a value: %s", is_called ? "" : "--",
+                        is_called ? argument->called : name,
                         argument->option->value != NULL ? argument->option->value : "VALUE");
         }
         text = text_of(words->all[words->at++]);
@@ -210,6 +241,49 @@ static void arguments_call(struct argument *argument, const struct trade_name *a
     }
 }
 
+/* Each number of a list in the form of an alias; what has a unit of its own stays. */
+static struct text trade_put_form(const char *form, struct text typed, struct arena *arena)
+{
+    const size_t before = strcspn(form, "%");
+    const char *all = "", *between = "";
+    for (struct text rest = typed; rest.start != NULL; between = ",") {
+        const struct text item = text_trim(text_cut(&rest, ','));
+        const bool is_bare = item.length > 0 && (char_is_digit(item.start[item.length - 1]) ||
+                                                 item.start[item.length - 1] == '.');
+        all = is_bare ? arena_printf(arena, "%s%s%.*s%.*s%s", all, between, (int)before, form,
+                                     (int)item.length, item.start, form + before + 1)
+                      : arena_printf(arena, "%s%s%.*s", all, between, (int)item.length, item.start);
+    }
+    return text_of(all);
+}
+
+/* Take the option that an alias stands for, with the value that the alias has there. */
+static bool take_alias(const struct arguments *arguments, struct argument *argument,
+                       const struct trade_name *alias, struct text value, struct words *words,
+                       struct error *error)
+{
+    if (alias->form == NULL) {
+        return arguments_take(arguments, argument, value, words, error);
+    }
+    if (strchr(alias->form, '%') == NULL) {
+        if (value.start != NULL) {
+            return fail(error, ERROR_USAGE, "%s takes no value: it is --%s %s", argument->called,
+                        argument->option->name, alias->form);
+        }
+        const bool done = arguments_take(arguments, argument, text_of(alias->form), words, error);
+        words->last = NULL;
+        return done;
+    }
+    if (value.start == NULL && words->at < words->count &&
+        !names_option(arguments, words->all[words->at])) {
+        value = text_of(words->all[words->at++]);
+    }
+    if (value.start != NULL) {
+        value = trade_put_form(alias->form, value, words->arena);
+    }
+    return arguments_take(arguments, argument, value, words, error);
+}
+
 /* --name, --name=value, --name value */
 static bool parse_long(struct arguments *arguments, struct text word, struct words *words,
                        struct error *error)
@@ -224,6 +298,7 @@ static bool parse_long(struct arguments *arguments, struct text word, struct wor
             return arguments_unknown(arguments, name, "--", error);
         }
         arguments_call(argument, alias, "--", name, words->arena);
+        return take_alias(arguments, argument, alias, value, words, error);
     }
     return arguments_take(arguments, argument, value, words, error);
 }

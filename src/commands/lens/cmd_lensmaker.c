@@ -52,7 +52,7 @@ static const struct option options[] = {
      .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .help = "index of the medium behind"},
     {MEASURE(medium, number, NULL, "INDEX"), OPTION_POSITIVE, .name = "medium",
      .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .excludes = "before after",
-     .help = "index of the medium on both sides: 1.333 under water"},
+     .no_number = INDEX_WORDS, .help = "index of the medium on both sides: 1.333 under water"},
     {ASKED(ball), .name = "ball", .help = "a ball lens of diameter --thickness"},
     {ASKED(solution), REPEATED("solution"), .words = solutions, .fallback = "first",
      .value = "WHICH", .help = "which solution, where there are two"},

@@ -24,8 +24,6 @@ static const struct word planes[] = {
 };
 
 #define INDEX(member_name) MEASURE(member_name, number, NULL, "INDEX"), OPTION_POSITIVE
-#define INDEX_WORDS                                                                                \
-    "an index is a number: of air 1, water 1.33, glass about 1.5; lenscalc glass NAME has others"
 #define PLACE(member_name) MEASURE(member_name, length, "mm", "LENGTH")
 
 #define INPUT struct refract_input

@@ -16,7 +16,8 @@ struct motion_input {
     double distance, magnification, speed, time, angle, height;
     double rotation, track, stabiliser, readout;
     struct coc_value blur;
-    double field_width;
+    double field_width, gsd;
+    bool is_bare; /* a pixel on the subject, and no pixel of a sensor that it could be */
     struct pixels_value pixels;
     struct sharpness sharp;
 };
@@ -57,12 +58,18 @@ static const struct option options[] = {
      .help =
          "pixels across --field-width; then 1 px of blur is allowed unless --blur or --coc says "
          "otherwise"},
+    {MEASURE(gsd, length, "mm", "LENGTH"), REPEATED("gsd"), .quantity = "pixel on the subject",
+     ABOVE_0,
+     .excludes = "magnification distance focal-length rotation track readout height field-width "
+                 "pixels print viewing acuity",
+     .help = "width of a pixel on the subject, in place of lens and distance; 1 px of blur is "
+             "allowed then unless --blur says otherwise"},
     SHARPNESS_OPTIONS(sharp, 0, "d/1500", NULL),
 };
 
 struct motion_row {
     struct motion motion;
-    double field_width;
+    double field_width, gsd, line_rate;
     double focal, distance, c, pitch;
     struct blur_size size;
     double image_speed, handheld;
@@ -83,6 +90,11 @@ static const struct column columns[] = {
     COLUMN_MAGNIFICATION(motion.m, 0),
     {LENGTH(field_width, "m"), .name = "field_width", ECHO_WITH("field-width"),
      .label = "field width", .help = "width of what is in the picture"},
+    {LENGTH(gsd, "mm"), .name = "gsd", .flags = COLUMN_SPARSE | COLUMN_WITH,
+     .with = "gsd field-width", .repeats = "gsd", .symbol = "g", .label = "pixel on the subject",
+     .help = "its width there"},
+    {MEASURED(line_rate, rate, "Hz"), .name = "line_rate", WITH("gsd field-width") | COLUMN_SPARSE,
+     .symbol = "lines", .label = "line rate", .help = "of a line-scan camera, for square pixels"},
     {MEASURED(motion.v, speed, "m_s"), .name = "speed", BRIEF, .symbol = "v",
      .help = "of the subject"},
     {ANGLE(motion.angle), .name = "angle", .flags = COLUMN_ECHO, .symbol = "a", .with = "angle",
@@ -222,6 +234,33 @@ static bool motion_take_field(struct motion_input *own, struct run *run, struct 
     return true;
 }
 
+/* The magnification of a pixel on the subject; of no known pixel one of any size. */
+static bool motion_take_gsd(struct motion_input *own, struct error *error)
+{
+    static const double ANY_PITCH = 1e-3; /* mm */
+    struct sharpness *sharp = &own->sharp;
+    if (!is_given(own->gsd)) {
+        return true;
+    }
+    if (!is_given(sharp->pitch)) {
+        sharp->pitch = sharp->sensor.size.pitch;
+    }
+    own->is_bare = !is_given(sharp->pitch);
+    if (own->is_bare && own->blur.coc.kind != COC_PIXELS && is_given(own->blur.coc.value)) {
+        return fail(error, ERROR_USAGE,
+                    "{--blur} of a {--gsd} alone is in pixels, 2px: a length on the sensor needs "
+                    "{--pitch}, or a camera as {--sensor}");
+    }
+    if (own->is_bare) {
+        sharp->pitch = ANY_PITCH;
+    }
+    if (sharp->coc.is_fallback || own->is_bare) {
+        sharp->coc = (struct coc_value){{.kind = COC_PIXELS, .value = 1}, "1px", false};
+    }
+    own->magnification = sharp->pitch / own->gsd;
+    return true;
+}
+
 /* A lens and no motion: what is asked is how long it can be held by hand. */
 static bool motion_is_still(const struct motion_input *input)
 {
@@ -235,27 +274,63 @@ static bool motion_is_still(const struct motion_input *input)
     return is_still;
 }
 
+/* The question with what stands in place of others taken as these. */
+static bool motion_settle(struct motion_input *own, struct run *run, struct error *error)
+{
+    if (!motion_take_field(own, run, error) || !motion_take_gsd(own, error) ||
+        !sharpness_settle(&own->sharp, PITCH_FOR_MORE, run->doubts, error)) {
+        return false;
+    }
+    const bool is_solved = is_given(own->time) && is_given(own->blur.coc.value);
+    if (!is_solved && !is_given(own->focal.length) && !is_given(own->magnification)) {
+        own->focal.length = own->sharp.sensor.focal; /* of a camera with one lens; else not known */
+    }
+    return true;
+}
+
+/* The blur of what moves, of what turns, and of the pan. */
+static bool motion_fill(const struct motion_input *input, struct motion_row *row,
+                        struct error *error)
+{
+    const bool turns = is_given(input->rotation);
+    return sharpness_resolve(&input->sharp, NAN, &row->c, error) &&
+           motion_magnify(input, &row->motion.m, error) &&
+           ((turns && !is_given(input->speed)) || solve_subject(input, row, error)) &&
+           (!turns || solve_shake(input, row, error)) &&
+           (!is_given(input->track) || solve_panning(input, row, error));
+}
+
+/* A pixel on the subject, and how many of them pass in a second. */
+static void motion_fill_pixels(const struct motion_input *input, struct motion_row *row)
+{
+    if (is_given(input->gsd) || is_given(input->field_width)) {
+        row->gsd = row->pitch / row->motion.m;
+        row->line_rate = row->motion.v * sin(row->motion.angle) / row->gsd;
+    }
+    if (input->is_bare) { /* of no known sensor */
+        row->motion.m = row->motion.blur = row->image_speed = row->c = NAN;
+        row->sensor = row->criterion = NULL;
+        row->size.circles = NAN;
+    }
+}
+
 static bool motion_run(const void *data, struct run *run, struct error *error)
 {
     struct motion_input own = *(const struct motion_input *)data;
     const struct motion_input *input = &own;
-    if (!motion_take_field(&own, run, error)) {
+    if (!motion_settle(&own, run, error)) {
         return false;
-    }
-    if (!sharpness_settle(&own.sharp, PITCH_FOR_MORE, run->doubts, error)) {
-        return false;
-    }
-    const bool is_solved = is_given(own.time) && is_given(own.blur.coc.value);
-    if (!is_solved && !is_given(own.focal.length) && !is_given(own.magnification)) {
-        own.focal.length = own.sharp.sensor.focal; /* of a camera with one lens; else not known */
     }
     const bool is_still = motion_is_still(input);
     struct motion_row row = {
-        .motion = {input->speed, input->time, NAN, NAN, input->angle, input->distance,
-                   input->height},
+        .motion = {input->speed, input->time, NAN, NAN, is_still ? NAN : input->angle,
+                   input->distance, input->height},
         .field_width = input->field_width,
+        .gsd = NAN,
+        .line_rate = NAN,
         .focal = input->focal.length,
         .distance = input->distance,
+        .c = NAN,
         .pitch = sharpness_pitch(&own.sharp),
         .size = {NAN, NAN},
         .image_speed = NAN,
@@ -269,15 +344,7 @@ static bool motion_run(const void *data, struct run *run, struct error *error)
         .criterion = is_still ? NULL : input->sharp.coc.criterion,
     };
     const struct sensor *sensor = &input->sharp.sensor.size;
-    const bool turns = is_given(input->rotation);
-    if (is_still) {
-        row.motion.angle = row.c = NAN;
-    }
-    if ((!is_still && !sharpness_resolve(&input->sharp, NAN, &row.c, error)) ||
-        !motion_magnify(input, &row.motion.m, error) ||
-        ((!turns || is_given(input->speed)) && !is_still && !solve_subject(input, &row, error)) ||
-        (turns && !solve_shake(input, &row, error)) ||
-        (is_given(input->track) && !solve_panning(input, &row, error))) {
+    if (!is_still && !motion_fill(input, &row, error)) {
         return false;
     }
     if ((is_given(input->readout) &&
@@ -286,6 +353,7 @@ static bool motion_run(const void *data, struct run *run, struct error *error)
          !handheld_time(row.focal, sensor_crop(sensor), input->stabiliser, &row.handheld, error))) {
         return false;
     }
+    motion_fill_pixels(input, &row);
     run_emit(run, &row);
     return true;
 }
@@ -294,6 +362,7 @@ static const struct explanation explanations[] = {
     {"magnification", "m = {f}/({s} - {f})", "thin lens 1/f = 1/s + 1/v", NULL},
     {"blur", "b = {v} {t} {m} sin({a})", "central projection; across the view",
      "motion in depth adds its part: |v t (m sin a + h cos a/s)/(1 - v t cos a/s)|"},
+    {"line_rate", "lines = {v} sin({a})/{g}", "one line a pixel of the way", NULL},
     {"handheld", "th = 2^stabiliser/(crop {f})", "rule of thumb; f in mm",
      "hands differ by more than a stop"},
     {"shake", "bs = {f} (1 + {m}) {omega} {t}", "image distance times the angle",
@@ -313,6 +382,7 @@ static const struct example examples[] = {
      "a table to print"},
     {"motion -f 200mm -s 30m --speed 60km/h -t 1/60 --track 0.95", "panning"},
     {"motion -f 85mm --rotation 2deg/s", "how long to hold still"},
+    {"motion -v 2m/s --gsd 0.1mm", "a belt under a line-scan camera: line rate and exposure"},
     {"motion 200mm --sensor aps-c", "how long by hand: the rule of thumb alone"},
     {NULL, NULL},
 };

@@ -7,6 +7,8 @@
 #include "commands/photo/fov_question.h"
 #include "photo/pixel_density.h"
 
+#include "base/constants.h"
+
 #include <math.h>
 
 const struct word fov_ways[] = {
@@ -18,24 +20,6 @@ const struct word fov_ways[] = {
     {"equisolid", "2 f sin(t/2): image area in proportion to the solid angle"},
     {"stereographic", "2 f tan(t/2): small shapes stay true"},
     {"orthographic", "f sin t: at most a half sphere"},
-    {NULL, NULL},
-};
-
-const struct word fov_tasks[] = {
-    {"none", "no task"},
-    {"monitor", "12.5 px/m, IEC 62676-4:2014 as the next five"},
-    {"detect", "25 px/m"},
-    {"observe", "62.5 px/m"},
-    {"recognise", "125 px/m"},
-    {"identify", "250 px/m"},
-    {"inspect", "1000 px/m"},
-    {"overview", "20 px/m, IEC 62676-4:2025 as the rest"},
-    {"outline", "40 px/m"},
-    {"discern", "80 px/m"},
-    {"perceive", "125 px/m"},
-    {"characterise", "250 px/m"},
-    {"validate", "500 px/m"},
-    {"scrutinise", "1500 px/m"},
     {NULL, NULL},
 };
 
@@ -353,6 +337,9 @@ static bool fov_answer(const void *data, const struct photo_lens *bare, struct r
         !fov_compute(&row.setting, &input->sensor.size, &row.fov, error)) {
         return fov_hint(input, lens, &row, error);
     }
+    if (input->is_pair) {
+        row.solved_for = "distance and focal length";
+    }
     row.focal = isnan(input->converter) ? row.setting.f : attached.focal;
     row.width = input->sensor.size.width;
     row.height = input->sensor.size.height;
@@ -373,6 +360,7 @@ static bool fov_answer(const void *data, const struct photo_lens *bare, struct r
     row.magnification = row.setting.f / (row.setting.s - row.setting.f);
     row.crop = sensor_crop(&input->sensor.size);
     row.fx = fov_scale(&row.setting) / (row.pitch * input->squeeze);
+    row.per_degree = row.fx * RADIANS_PER_DEGREE;
     fov_forget_lengths(input, &row, run->arena);
     row.sensor_distance = row.setting.s + row.image + lens->measuring.hiatus;
     run_emit(run, &row);
@@ -471,17 +459,16 @@ bool fov_run(const void *data, struct run *run, struct error *error)
     if (input->telecentric) {
         return fov_telecentric(input, run, error);
     }
-    if (fov_is_bare_line(input)) {
-        return fov_bare_line(input, run, error);
+    if (fov_is_bare(input)) {
+        fov_hold_upright(&own, run->arena);
+        return fov_bare(input, run, error);
     }
-    if (fov_is_bare_subject(input)) {
-        return fov_bare_subject(input, run, error);
-    }
+    const bool is_pair = fov_take_pair(&own);
     fov_hold_upright(&own, run->arena);
     if (!fov_take_pixels(&own, error)) {
         return false;
     }
-    if (has_camera_lens(input)) {
+    if (!is_pair && has_camera_lens(input)) {
         own.lens.focal.length = input->sensor.focal;
     }
     if (input->gap == NULL || input->lens.lens.lens == NULL) {

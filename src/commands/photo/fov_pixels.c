@@ -1,4 +1,4 @@
-/* commands/photo/fov_pixels.c - fields of view by pixels, upright cameras, subjects alone. */
+/* commands/photo/fov_pixels.c - fields of view by pixels, and upright cameras. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/photo/fov_question.h"
 
@@ -57,33 +57,4 @@ void fov_hold_upright(struct fov_input *input, struct arena *arena)
         pixels->wide = pixels->high;
         pixels->high = wide;
     }
-}
-
-bool fov_is_bare_subject(const struct fov_input *input)
-{
-    const struct fov_goals goals = fov_input_goals(input);
-    const double others[] = {
-        input->lens.focal.length, input->lens.pupil, input->magnification, input->horizontal,
-        input->vertical,          input->diagonal,   input->altitude,      input->gsd,
-        input->converter,         input->crop,       input->sky.scale,     input->fx};
-    const bool has_angle = input->sky.subject > 0 || !isnan(input->sky.angle);
-    bool is_bare = !isnan(input->sky.size) && (has_angle || isfinite(input->distance)) &&
-                   photo_lens_is_thin(&input->lens) && isnan(input->sensor.focal) &&
-                   fov_goals_fields(&goals) == 0 && !input->dori && input->task == 0;
-    for (size_t i = 0; i < sizeof others / sizeof others[0] && is_bare; i++) {
-        is_bare = isnan(others[i]);
-    }
-    return is_bare;
-}
-
-bool fov_bare_subject(const struct fov_input *input, struct run *run, struct error *error)
-{
-    struct fov_row row = fov_row_none;
-    if (!sky_fill_subject(&input->sky, input->distance, &row.sky, error)) {
-        return false;
-    }
-    row.setting.s = input->distance;
-    row.density = row.object_pixel = row.speed = row.line_rate = NAN;
-    run_emit(run, &row);
-    return true;
 }

@@ -5,6 +5,24 @@
 
 #include <math.h>
 
+const struct word fov_tasks[] = {
+    {"none", "no task"},
+    {"monitor", "12.5 px/m, IEC 62676-4:2014 as the next five"},
+    {"detect", "25 px/m"},
+    {"observe", "62.5 px/m"},
+    {"recognise", "125 px/m"},
+    {"identify", "250 px/m"},
+    {"inspect", "1000 px/m"},
+    {"overview", "20 px/m, IEC 62676-4:2025 as the rest"},
+    {"outline", "40 px/m"},
+    {"discern", "80 px/m"},
+    {"perceive", "125 px/m"},
+    {"characterise", "250 px/m"},
+    {"validate", "500 px/m"},
+    {"scrutinise", "1500 px/m"},
+    {NULL, NULL},
+};
+
 const struct fov_row fov_row_none = {
     .setting = {RECTILINEAR, NAN, NAN, NAN, NAN},
     .fov = {NAN, NAN, NAN, NAN, NAN, NAN, NULL},
@@ -21,6 +39,7 @@ const struct fov_row fov_row_none = {
     .ground = {NAN, NAN, NAN, NAN},
     .sky = {NAN, NAN, NAN, NAN, NAN, NULL, NAN, NAN},
     .fx = NAN,
+    .per_degree = NAN,
     .breathing = NAN,
     .real = {.focal = NAN, .hiatus = NAN, .wavelength = NAN, .rear = NAN},
     .rays = {NAN, NULL, NULL},

@@ -40,6 +40,7 @@ struct fov_input {
     double fx;     /* focal length in pixels */
     bool is_bare;  /* pixels of no known size: no length on the sensor is known */
     bool portrait; /* the camera is held upright */
+    bool is_pair;  /* the distance is that of an angle and a field */
     int focus_by;
     const char *gap;
     /* of a lens that is focused by its gaps, as it stands for infinity, and its position */
@@ -60,6 +61,7 @@ struct fov_row {
     const char *solved_for, *solved_by; /* null: everything was given */
     double density, object_pixel;       /* px/mm and mm in the plane of focus; NaN = not known */
     double fx;                          /* scale in pixels a radian; NaN = not known */
+    double per_degree;                  /* the same by the degree */
     const char *task;
     double speed, line_rate;
     double fnumber, depth, blur; /* of a telecentric lens: mm, and px */
@@ -81,14 +83,9 @@ int fov_goals_fields(const struct fov_goals *goals);
 /* The pixels in the plane of focus, and how fast they are scanned. Errors: a speed without them. */
 bool fov_fill_pixels(const struct fov_input *input, struct fov_row *row, struct error *error);
 
-/* Answer for a telecentric lens, whose field is the sensor over its magnification. */
+/* Answer for a telecentric lens, whose field is the sensor over its magnification; of another where
+   a field on a sensor is all that is known. */
 bool fov_telecentric(const struct fov_input *input, struct run *run, struct error *error);
-
-/* Is it a line of so many pixels over a field, of which nothing else is known? */
-bool fov_is_bare_line(const struct fov_input *input);
-
-/* Answer for it: pixels on the subject and line rate follow from the field alone. */
-bool fov_bare_line(const struct fov_input *input, struct run *run, struct error *error);
 
 /*
  * A focal length in pixels as one in mm: by the pitch of the pixels, or of any pitch where none is
@@ -103,9 +100,21 @@ bool fov_take_pixels(struct fov_input *input, struct error *error);
 /* The sensor and its pixels of a camera that is held upright. */
 void fov_hold_upright(struct fov_input *input, struct arena *arena);
 
-/* Is a subject's distance asked for by its size and angle alone, and answer for it. */
-bool fov_is_bare_subject(const struct fov_input *input);
-bool fov_bare_subject(const struct fov_input *input, struct run *run, struct error *error);
+/*
+ * Is it a question that needs no lens: how far away a subject of a size and angle is, how many
+ * pixels lie over a field, how large a field is on a sensor? And its answer.
+ */
+bool fov_is_bare(const struct fov_input *input);
+bool fov_bare(const struct fov_input *input, struct run *run, struct error *error);
+
+/*
+ * An angle of view and the same side of a field, in place of which the distance is put.
+ *
+ * Result    was there such a pair, and nothing else that settles the view?
+ * Formula   s = W/(2 tan(a/2)), from the entrance pupil
+ * Source    geometry
+ */
+bool fov_take_pair(struct fov_input *input);
 
 /* The `run` of the command. */
 bool fov_run(const void *data, struct run *run, struct error *error);

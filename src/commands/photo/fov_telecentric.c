@@ -14,7 +14,7 @@ static bool find_magnification(const struct fov_input *input, const struct senso
                                         .goals = fov_input_goals(input)};
     const bool has_field = fov_goals_fields(&problem.goals) > 0;
     const char *by = NULL;
-    if (has_field == !isnan(input->magnification)) {
+    if (input->telecentric && has_field == !isnan(input->magnification)) {
         return fail(error, ERROR_USAGE,
                     "{--telecentric} needs one of {--magnification} and a field or {--density}");
     }
@@ -60,49 +60,12 @@ bool fov_telecentric(const struct fov_input *input, struct run *run, struct erro
     row.pitch = sensor.size.pitch;
     row.crop = sensor_crop(&sensor.size);
     row.setting.squeeze = input->squeeze;
-    row.projection = "telecentric";
+    row.projection = input->telecentric ? "telecentric" : NULL;
     row.fov.width_at_s = input->squeeze * row.width / row.magnification;
     row.fov.height_at_s = row.height / row.magnification;
     row.fov.diagonal_at_s = hypot(row.fov.width_at_s, row.fov.height_at_s);
     if (!find_depth(input, &row, error) || !fov_fill_pixels(input, &row, error)) {
         return false;
-    }
-    run_emit(run, &row);
-    return true;
-}
-
-bool fov_is_bare_line(const struct fov_input *input)
-{
-    const struct fov_goals goals = fov_input_goals(input);
-    const double others[] = {
-        input->lens.focal.length, input->lens.pupil, input->magnification, input->horizontal,
-        input->vertical,          input->diagonal,   input->altitude,      input->gsd,
-        input->converter,         input->crop,       input->sky.angle,     input->sky.scale};
-    bool is_bare = input->line_scan && photo_lens_is_thin(&input->lens) && isinf(input->distance) &&
-                   input->projection == VIEW_AUTO && input->sky.subject == 0 &&
-                   input->sensor.is_fallback && fov_goals_fields(&goals) == 1 &&
-                   !isnan(goals.field_width) && !isnan(input->pixels.wide);
-    for (size_t i = 0; i < sizeof others / sizeof others[0] && is_bare; i++) {
-        is_bare = isnan(others[i]);
-    }
-    return is_bare;
-}
-
-bool fov_bare_line(const struct fov_input *input, struct run *run, struct error *error)
-{
-    const bool has_pitch = !isnan(input->pitch);
-    struct fov_row row = fov_row_none;
-    row.setting.squeeze = input->squeeze;
-    row.fov.width_at_s = fov_input_goals(input).field_width;
-    /* the density is that of any pitch */
-    row.pitch = has_pitch ? input->pitch : 1;
-    row.magnification = input->squeeze * input->pixels.wide * row.pitch / row.fov.width_at_s;
-    row.sensor = arena_printf(run->arena, "a line of %.15g pixels", input->pixels.wide);
-    if (!fov_fill_pixels(input, &row, error)) {
-        return false;
-    }
-    if (!has_pitch) {
-        row.pitch = row.magnification = NAN;
     }
     run_emit(run, &row);
     return true;

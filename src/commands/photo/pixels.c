@@ -73,7 +73,8 @@ bool pixels_settle(const struct pixels_question *question, struct sensor_value *
     }
     if (is_counted && sensor->is_fallback) {
         return fail(error, ERROR_USAGE,
-                    "pixels need a size: give {--pitch}, or the size of the sensor as {--sensor}");
+                    "pixels need a size: give {--pitch} 3um, or the size of the sensor as "
+                    "{--sensor} 1/2.8in");
     }
     if (is_counted) {
         count_pixels(question, sensor, arena, doubts);
