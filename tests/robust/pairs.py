@@ -23,7 +23,7 @@ PHOTOGRAPHIC = {
     "exposure": ("-N 5.6 -t 1/60 --iso 200", "-N 5.6 --iso 200 --ev 12", "-N 5.6 -t 1/60"),
     "flash": ("-g 36 -N 5.6", "-g 36 -s 4", "-N 5.6 -s 4"),
     "bracket": ("--from 30s --to 1/1000", "-t 1/60 --shots 5", "-t 1/60 --range 6"),
-    "motion": ("-f 50 -s 10 --speed 5km/h", "-f 50 -s 10 -t 1/60"),
+    "motion": ("-f 50 -s 10 --speed 5km/h", "-f 50 -s 10 -t 1/60", "-v 2m/s --gsd 2cm"),
     "stars": ("-f 24 -N 5.6", "-f 24 -N 5.6 -t 20"),
     "diffraction": ("-N 5.6", "-N 5.6 -f 50", "-f 50 --near 2 --far 10", "--diameter 200mm"),
     "pinhole": ("-f 150 --metered 1/60", "-f 150 --diameter 0.4 -s 1"),

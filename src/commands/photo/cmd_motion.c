@@ -61,7 +61,7 @@ static const struct option options[] = {
     {MEASURE(gsd, length, "mm", "LENGTH"), REPEATED("gsd"), .quantity = "pixel on the subject",
      ABOVE_0,
      .excludes = "magnification distance focal-length rotation track readout height field-width "
-                 "pixels print viewing acuity",
+                 "pixels print viewing acuity stabiliser",
      .help = "width of a pixel on the subject, in place of lens and distance; 1 px of blur is "
              "allowed then unless --blur says otherwise"},
     SHARPNESS_OPTIONS(sharp, 0, "d/1500", NULL),
@@ -246,15 +246,18 @@ static bool motion_take_gsd(struct motion_input *own, struct error *error)
         sharp->pitch = sharp->sensor.size.pitch;
     }
     own->is_bare = !is_given(sharp->pitch);
-    if (own->is_bare && own->blur.coc.kind != COC_PIXELS && is_given(own->blur.coc.value)) {
+    const bool is_blur = is_given(own->blur.coc.value) && own->blur.coc.kind != COC_PIXELS;
+    const bool is_coc = !sharp->coc.is_fallback && sharp->coc.coc.kind != COC_PIXELS;
+    if (own->is_bare && (is_blur || is_coc)) {
         return fail(error, ERROR_USAGE,
-                    "{--blur} of a {--gsd} alone is in pixels, 2px: a length on the sensor needs "
-                    "{--pitch}, or a camera as {--sensor}");
+                    "{--%s} beside {--gsd} is in pixels, 2px: a length on the sensor needs "
+                    "{--pitch}, or a camera of known pixels as {--sensor}",
+                    is_blur ? "blur" : "coc");
     }
     if (own->is_bare) {
         sharp->pitch = ANY_PITCH;
     }
-    if (sharp->coc.is_fallback || own->is_bare) {
+    if (sharp->coc.is_fallback) {
         sharp->coc = (struct coc_value){{.kind = COC_PIXELS, .value = 1}, "1px", false};
     }
     own->magnification = sharp->pitch / own->gsd;
