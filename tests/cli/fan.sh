@@ -30,3 +30,15 @@ lenscalc fan fisheye-16 --field 0,54.565deg,77.95deg --plot dark.svg > rows
 grep -c 'no ray arrives' dark.svg
 printf 'lens ideal\nobject inf\naperture stop\nstop - 0 air 10\nthick 50 0 air 12\n' | lenscalc fan - --points 3 --csv --digits 4 --columns pupil_y,opd_waves,warning
 printf 'lens ideal\nobject inf\naperture stop\nstop - 0 air 10\nthick 50 0 air 12\n' | lenscalc fan - --reference best
+# pupil aberrations: fields and colours, without clipping, a stop in front, a dark field, refusals
+lenscalc fan double-gauss --show pupil --points 3 -w d
+lenscalc fan double-gauss --show pupil --points 3 -w d,F --no-clip --field 14 --field-x 5 --csv --digits 5
+lenscalc fan double-gauss --show pupil --points 3 -w d --field 0,80 --json --digits 5
+printf 'lens front\nobject inf\naperture epd 4\nfield angle 5\nstop - 2 air -\nsurface 50 2 1.5 -\nsurface - 98 air -\n' | lenscalc fan - --show pupil --points 3
+printf 'lens no stop\nobject inf\naperture epd 4\nfield angle 5\nsurface 50 2 1.5 -\nsurface - 98 air -\n' | lenscalc fan - --show pupil
+lenscalc fan double-gauss --show pupil --reference best
+lenscalc fan double-gauss --show pupil --defocus 0.1
+lenscalc fan double-gauss --show pupil --aim entrance
+lenscalc fan double-gauss --show pupils
+lenscalc fan double-gauss --show pupil --plot pupil.svg > rows
+grep -o '>[^<>]*</text>' pupil.svg | sed 's/^>//; s/<.*//' | grep -v '^[−0-9.]*$'

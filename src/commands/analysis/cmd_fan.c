@@ -1,13 +1,13 @@
 /* commands/analysis/cmd_fan.c - lenscalc fan: aberrations along two sections of the pupil. */
 /* SPDX-License-Identifier: MIT */
-#include "analysis/waves/fan.h"
+#include "analysis/waves/pupil_fan.h"
 #include "commands/analysis/analysis_cursor.h"
 #include "draw/panels.h"
 #include "draw/ticks.h"
 
 #include <string.h>
 
-enum fan_show { FAN_TRANSVERSE, FAN_OPD };
+enum fan_show { FAN_TRANSVERSE, FAN_OPD, FAN_PUPIL };
 
 struct fan_input {
     struct analysis_question question;
@@ -20,6 +20,7 @@ static const struct analysis_policy policy = {.wavelengths = WAVELENGTHS_ALL, .f
 static const struct word shows[] = {
     [FAN_TRANSVERSE] = {"transverse", "where rays arrive, from the reference"},
     [FAN_OPD] = {"opd", "optical path differences from the reference sphere"},
+    [FAN_PUPIL] = {"pupil", "where rays of the paraxial entrance pupil cross the stop, from there"},
     {NULL, NULL},
 };
 
@@ -31,18 +32,23 @@ static const struct word references[] = {
     {NULL, NULL},
 };
 
+/* What --show pupil has no use for. */
+#define OF_IMAGE "show=transverse|show=opd"
+
 static const struct option options[] = {
-    ANALYSIS_OPTIONS("all of the lens, each by itself", ", or the fields of one question"),
+    ANALYSIS_OPTIONS_FOR("all of the lens, each by itself", ", or the fields of one question",
+                         OF_IMAGE),
     ANALYSIS_FIELD_OPTIONS,
     ANALYSIS_SPECTRUM_OPTION(struct fan_input, question),
     {OPTION(struct fan_input, show), .name = "show", .words = shows, .fallback = "transverse",
-     .value = "WHAT", .help = "what text and --plot show"},
+     .value = "WHAT", .help = "what text and --plot show; pupil: rows, too"},
     {OPTION(struct fan_input, reference), .name = "reference", .words = references,
-     .fallback = "chief", .value = "WHAT", .help = "reference point of the aberrations"},
+     .fallback = "chief", .value = "WHAT", .wants = OF_IMAGE,
+     .help = "reference point of the aberrations"},
     {OPTION(struct fan_input, points), .name = "points", .lowest = 3, .highest = 100001,
      .fallback = "21", .value = "COUNT",
      .help = "rays in each section, an odd number: one lies in the middle"},
-    ANALYSIS_AIM_OPTION(NULL, "pupil that the ray points lie in"),
+    ANALYSIS_AIM_OPTION(OF_IMAGE, "pupil that the ray points lie in"),
     ANALYSIS_CLIP_OPTIONS,
 };
 
@@ -106,23 +112,58 @@ static const struct column_form sines = {&dimension_angle, "mrad",
               .help = "reference point of the aberrations"),                                       \
         ANALYSIS_SPECTRUM_COLUMN, ANALYSIS_TAIL_COLUMNS
 
+/* Of pupil aberrations. */
+#define SHARE(member_name)                                                                         \
+    PLAIN(member_name, COLUMN_BRIEF | COLUMN_SPARSE), .dimension = &dimension_ratio,               \
+                                                      .unit = "percent"
+static const struct column pupil_columns[] = {
+    ANALYSIS_POINT_COLUMNS,
+    ANALYSIS_WAVELENGTH_COLUMN,
+    {PLAIN(section, COLUMN_BRIEF), .name = "section",
+     .help = "tangential: through the axis and the field point; or sagittal, across it"},
+    {PLAIN(pupil_x, COLUMN_BRIEF), .name = "pupil_x", .label = "pupil x",
+     .help = "where the ray is aimed in the paraxial entrance pupil, in units of its radius"},
+    {PLAIN(pupil_y, COLUMN_BRIEF), .name = "pupil_y", .label = "pupil y",
+     .help = "the same upwards"},
+    {SHARE(dx), .name = "stop_dx", .label = "dx in the stop",
+     .help = "where the ray crosses the stop less its paraxial place, in x, over the paraxial "
+             "radius of the stop"},
+    {SHARE(dy), .name = "stop_dy", .label = "dy in the stop", .help = "and in y"},
+    {PLAIN(status, COLUMN_BRIEF), .name = "status",
+     .help = "ok, miss, total_reflection or clipped in front of the stop"},
+    {PLAIN(surface, COLUMN_BRIEF | COLUMN_SPARSE), .name = "surface",
+     .help = "where the ray was lost, from 1"},
+    LENS_TITLE_COLUMN(struct analysis_point, lens),
+    LENS_WARNING_COLUMN(struct analysis_point, warning),
+};
+
 static const struct column transverse_columns[] = {FAN_COLUMNS(COLUMN_BRIEF, COLUMN_HIDDEN)};
 static const struct column opd_columns[] = {FAN_COLUMNS(COLUMN_HIDDEN, COLUMN_BRIEF)};
 
 static const struct sheet transverse_sheet = SHEET(transverse_columns, struct fan_row);
 static const struct sheet opd_sheet = SHEET(opd_columns, struct fan_row);
-static const struct sheet *const sheets[] = {&transverse_sheet, &opd_sheet, NULL};
+static const struct sheet pupil_sheet = SHEET(pupil_columns, struct fan_row);
+static const struct sheet *const sheets[] = {
+    [FAN_TRANSVERSE] = &transverse_sheet,
+    [FAN_OPD] = &opd_sheet,
+    [FAN_PUPIL] = &pupil_sheet,
+    NULL,
+};
 
 static const struct sheet *fan_choose_sheet(const void *data, const struct option_query *asking)
 {
     (void)asking;
-    return ((const struct fan_input *)data)->show == FAN_OPD ? &opd_sheet : &transverse_sheet;
+    return sheets[((const struct fan_input *)data)->show];
 }
 
 static bool fan_find(const struct analysis_cursor *at, const struct analysis_case *one,
                      size_t field, void *found, struct error *error)
 {
     const struct fan_input *input = at->input;
+    if (input->show == FAN_PUPIL) {
+        const struct bundle_question bundle = analysis_bundle(one, field);
+        return pupil_fan_trace(&bundle, (size_t)input->points, one->setup->arena, found, error);
+    }
     const struct fan_question question = {.bundle = analysis_bundle(one, field),
                                           .about = (enum wave_about)input->reference,
                                           .points = (size_t)input->points};
@@ -137,10 +178,11 @@ static bool fan_emit(const struct analysis_cursor *at, struct fan_row *row)
     struct fan_ray *rays = ARENA_ARRAY(at->run->arena, fan->points + FAN_ENDS, struct fan_ray);
     const struct fan_input *input = at->input;
     struct arena *arena = at->run->arena;
-    if (input->reference == WAVE_CHIEF) {
+    const bool is_pupil = input->show == FAN_PUPIL;
+    if (is_pupil || input->reference == WAVE_CHIEF) {
         row->point.spectrum = NULL; /* their weights are not used */
     }
-    analysis_warn(at, &row->point, fan->no_opd);
+    analysis_warn(at, &row->point, is_pupil ? NULL : fan->no_opd);
     analysis_warn(at, &row->point, lens_island_warning(&fan->islands, arena));
     row->reference = wave_reference_words(at->one, (enum wave_about)input->reference, arena);
     row->is_angular = fan->is_angular;
@@ -196,6 +238,9 @@ static bool fan_run(const void *data, struct run *run, struct error *error)
 /* -------- the drawing: two panels a field -------- */
 
 enum { FINE = 201, MOST_KEYS = 64 };
+
+/* The scale of pupil aberrations at least, %: what is less calls for nothing. */
+static const double PUPIL_LEAST = 0.5;
 
 /* One wavelength of one field. */
 struct fan_curve {
@@ -282,13 +327,17 @@ static void fan_figure_add(struct fan_figure_painter *painter, const struct anal
         fan_row_of(painter, setup->lens->title, label, NAN);
         return;
     }
+    const bool is_pupil = painter->input.show == FAN_PUPIL;
     const char *reference =
-        wave_reference_words(at->one, (enum wave_about)painter->input.reference, painter->arena);
+        is_pupil
+            ? "rays aimed at the paraxial entrance pupil, from where they should cross the stop"
+            : wave_reference_words(at->one, (enum wave_about)painter->input.reference,
+                                   painter->arena);
     bool differs = painter->reference != NULL && strcmp(painter->reference, reference) != 0;
     painter->reference = differs ? "the chief ray of each wavelength" : reference;
     painter->is_angular = fan->is_angular;
-    const char *words =
-        analysis_figure_words(at->one, FIGURE_APERTURE | FIGURE_PLANE, painter->arena);
+    const char *words = analysis_figure_words(
+        at->one, is_pupil ? FIGURE_APERTURE : FIGURE_APERTURE | FIGURE_PLANE, painter->arena);
     painter->differs =
         painter->differs || (painter->words != NULL && strcmp(painter->words, words) != 0);
     painter->words = words;
@@ -314,10 +363,11 @@ static void fan_figure_add(struct fan_figure_painter *painter, const struct anal
                 const double *off = rays[i].off;
                 const double aside = s == FAN_TANGENTIAL ? off[0] * along[0] + off[1] * along[1]
                                                          : off[0] * along[1] - off[1] * along[0];
-                /* waves; or the component along the section, um or mrad */
+                /* waves; or the component along the section, um, mrad or % */
+                const double unit = is_pupil ? 100 : 1000;
                 curve.y[s][i] = painter->input.show == FAN_OPD
                                     ? 1000 * rays[i].opd / setup->wavelengths[g].wavelength
-                                    : 1000 * aside;
+                                    : unit * aside;
             }
         }
         painter->curves = arena_grow(arena, painter->curves, painter->count, &painter->room,
@@ -416,24 +466,28 @@ static bool fan_figure(const struct artifact_job *job, struct output *sink, stru
         words[k] = arena_printf(arena, "%.5g nm", 1000 * keys[k]);
     }
     const struct fan_input *first = painter.job->inputs[0];
-    bool opd = first->show == FAN_OPD;
-    const char *what = opd ? "Optical path differences" : "Ray fans";
+    static const char *const titles[] = {"Ray fans", "Optical path differences",
+                                         "Pupil aberrations"};
+    const char *what = titles[first->show];
     const struct panel *list = make_panels(&painter, keys, key_count, &most);
+    most = first->show == FAN_PUPIL ? fmax(most, PUPIL_LEAST) : most;
     const char *transverse =
         painter.is_angular ? "transverse aberration (mrad)" : "transverse aberration (µm)";
-    const char *preposition = opd ? "against" : "from";
+    const char *const labels[] = {transverse, "optical path difference (waves)",
+                                  "deviation in the stop (% of its radius)"};
+    const char *const before[] = {"from ", "against ", ""};
+    const bool entrance = first->show == FAN_PUPIL || first->question.aim == ANALYSIS_AIM_ENTRANCE;
     const char *subtitle = NULL;
     if (painter.reference != NULL) {
-        subtitle = arena_printf(arena, "%s %s%s%s", preposition, painter.reference,
+        subtitle = arena_printf(arena, "%s%s%s%s", before[first->show], painter.reference,
                                 painter.differs ? "" : "; ", painter.differs ? "" : painter.words);
     }
     const struct panels panels = {
         .title = painter.several ? what : ARENA_JOIN(arena, what, " of ", painter.title),
         .subtitle = subtitle,
-        .x_label = first->question.aim == ANALYSIS_AIM_ENTRANCE
-                       ? "across the entrance pupil, in its radius"
-                       : "across the stop, in its radius",
-        .y_label = opd ? "optical path difference (waves)" : transverse,
+        .x_label = entrance ? "across the entrance pupil, in its radius"
+                            : "across the stop, in its radius",
+        .y_label = labels[first->show],
         .column_heads = heads,
         .row_heads = painter.rows,
         .row_captions = painter.several ? painter.lenses : NULL,
@@ -462,12 +516,17 @@ static const struct explanation explanations[] = {
      "W = OPL(chief ray) - OPL(ray), to the sphere about the reference through the "
      "chief ray's crossing of the paraxial exit pupil",
      "[Welford86]", "no sphere where that pupil lies in the image plane"},
+    {"stop_dy_percent",
+     "100 (y in the stop/radius - pupil y), the ray aimed at pupil y of the paraxial entrance "
+     "pupil",
+     "[OpticStudio25] Pupil Aberration", "in the plane of the paraxial entrance pupil"},
     {NULL, NULL, NULL, NULL},
 };
 
 static const struct example examples[] = {
     {"fan double-gauss --plot fans.svg", "ray fans of all fields and wavelengths"},
     {"fan double-gauss --show opd --plot paths.svg", "the same as optical path differences"},
+    {"fan double-gauss --show pupil --plot pupil.svg", "aberrations of the entrance pupil"},
     {"fan double-gauss --field 14deg -w d --points 5", "few rays of one field, at one wavelength"},
     {"fan cooke-triplet-50 --reference centroid --csv", "from the centroid, for another program"},
     {NULL, NULL},
