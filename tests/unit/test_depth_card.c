@@ -67,6 +67,11 @@ static double at_double(size_t column, size_t row)
     return depth_of(2000);
 }
 
+static void check_black(struct card_light light)
+{
+    CHECK(light.of[0] == 0 && light.of[1] == 0 && light.of[2] == 0);
+}
+
 /* A ray through (x, 0) of the pupil and X = 0 of the frame is at -x in twice the distance: there
    a line of sight stands for -x/2 of the frame. */
 static void test_planes(void)
@@ -84,8 +89,10 @@ static void test_planes(void)
     CHECK(sight == SIGHT_SEEN);
     CHECK_NEAR((double)light.of[0], 12.25 - 0.8, 1e-5, "column behind the frame");
     CHECK_NEAR((double)light.of[1], 7.5 - 0.4, 1e-5, "row behind the frame");
-    look(&fixture, 0, 0, -0.1, 7.5, &sight);
-    CHECK(sight == SIGHT_SEEN); /* black beside a card is known */
+    check_black(look(&fixture, 0, 0, -0.1, 7.5, &sight));
+    CHECK(sight == SIGHT_SEEN);                          /* black beside a card is known */
+    check_black(look(&fixture, 0, 0, 1e6, 7.5, &sight)); /* nor is anything so far beside */
+    CHECK(sight == SIGHT_SEEN);
     arena_free(&fixture.arena);
 }
 
@@ -125,6 +132,68 @@ static void test_edges(void)
     arena_free(&fixture.arena);
 }
 
+/* A bar of columns 18 to 21 in the frame, a wall behind it by a parallax, in pixels, of 4000/mm. */
+static double wall_parallax;
+
+static double shelf(size_t column, size_t row)
+{
+    (void)row;
+    return depth_of(column >= 18 && column < 22 ? 1000 : 1 / (1e-3 - wall_parallax / 4000));
+}
+
+/* Steps of less than a pixel belong to the surface; behind greater ones nothing is known. */
+static void test_steps(void)
+{
+    static const struct {
+        double parallax, expected;
+        enum depth_card_sight sight;
+    } cases[] = {{0.9, 22, SIGHT_SEEN}, {1.1, 22.5, SIGHT_BEHIND}, {1.9, 22.5, SIGHT_BEHIND}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct fixture fixture;
+        enum depth_card_sight sight;
+        wall_parallax = cases[i].parallax;
+        fill(&fixture, shelf);
+        struct card_light light = look(&fixture, 40, 0, 22.25, 11.5, &sight);
+        CHECK_NEAR((double)light.of[0], cases[i].expected, 1e-5, "at a step");
+        CHECK_NEAR(sight, cases[i].sight, 0, "a step");
+        fixture.relief.hidden = HIDDEN_BLACK;
+        light = look(&fixture, 40, 0, 22.25, 11.5, &sight);
+        if (cases[i].sight == SIGHT_BEHIND) {
+            check_black(light);
+        } else {
+            CHECK_NEAR((double)light.of[0], cases[i].expected, 1e-5, "nothing is hidden");
+        }
+        arena_free(&fixture.arena);
+    }
+}
+
+static double post(size_t column, size_t row)
+{
+    (void)row;
+    return depth_of(column == 20 ? 1000 : 2000);
+}
+
+/* The light of a pixel that is narrower than one of the picture is that of its middle. */
+static void test_coarse(void)
+{
+    struct fixture fixture;
+    struct error error;
+    enum depth_card_sight sight;
+    fill(&fixture, post);
+    fixture.picture.width = fixture.picture.height = 10;
+    for (size_t i = 0; i < 100; i++) {
+        fixture.picture.pixels[3 * i] = (float)(i % 10) + 0.5F;
+        fixture.picture.pixels[3 * i + 1] = (float)(i / 10) + 0.5F;
+    }
+    CHECK(depth_card_open(&fixture.question, &fixture.arena, &fixture.relief, &error));
+    for (double column = 20.1; column < 21; column += 0.2) {
+        const struct card_light light = look(&fixture, 0, 0, column, 8.3, &sight);
+        CHECK_NEAR((double)light.of[0], 20.5 * 10 / COLUMNS, 1e-5, "the middle of a post");
+        CHECK_NEAR((double)light.of[1], 8.3 * 10 / ROWS, 1e-5, "where it is met along it");
+    }
+    arena_free(&fixture.arena);
+}
+
 /* A plane that leans back: 1/d falls from 1/800 in the first column's middle by 1/100000 each. */
 static double leaning(size_t column, size_t row)
 {
@@ -145,6 +214,133 @@ static void test_plane(void)
             CHECK_NEAR((double)light.of[0], U, 0.02, "column on a leaning plane");
             CHECK(sight == SIGHT_SEEN);
         }
+    }
+    arena_free(&fixture.arena);
+}
+
+/* From 300 mm in the first row's or column's middle to 4000 mm in the 41st, so that rays cross many
+   pixels on their way; a step of w is s = (1/300 - 1/4000)/40. */
+static double steep_columns(size_t column, size_t row)
+{
+    (void)row;
+    return depth_of(1 / (1 / 300.0 - (1 / 300.0 - 1 / 4000.0) / 40 * (double)column));
+}
+
+static double steep_rows(size_t column, size_t row)
+{
+    (void)column;
+    return steep_columns(row, 0);
+}
+
+/* w = 1/300 - s (U - 0.5) and U = u + 100 x (w - 1/1000); rows go down where y goes up. */
+static void test_steep(void)
+{
+    static const double s = (1 / 300.0 - 1 / 4000.0) / 40;
+    for (int axis = 0; axis < 2; axis++) {
+        struct fixture fixture;
+        fill(&fixture, axis == 0 ? steep_columns : steep_rows);
+        const double count = axis == 0 ? COLUMNS : ROWS;
+        for (double x = -28; x <= 28; x += 7) {
+            for (double at = 1; at < count - 1; at += 0.61) {
+                enum depth_card_sight sight;
+                const double along = axis == 0 ? x : -x, across = 3, middle = 11.5;
+                const struct card_light light = axis == 0
+                                                    ? look(&fixture, x, across, at, middle, &sight)
+                                                    : look(&fixture, across, x, middle, at, &sight);
+                const double U =
+                    (at + 100 * along * (1 / 300.0 + s / 2 - 1e-3)) / (1 + 100 * along * s);
+                const double w = 1 / 300.0 - s * (U - 0.5), off = fabs(100 * x * s) / 2;
+                if (U < 1 || U > count - 1) {
+                    continue;
+                }
+                CHECK_NEAR((double)light.of[axis], U, off / (1 - 2 * off) + 1e-4,
+                           "along a steep plane");
+                CHECK_NEAR((double)light.of[1 - axis],
+                           middle + (axis == 0 ? -100 : 100) * across * (w - 1e-3), 0.02,
+                           "across it");
+                CHECK(sight == SIGHT_SEEN);
+            }
+        }
+        arena_free(&fixture.arena);
+    }
+}
+
+/* Beside a frame that goes on its border does, in lines of sight, at the border's distances. */
+static void test_endless(void)
+{
+    struct fixture fixture;
+    enum depth_card_sight sight;
+    static const double s = (1 / 300.0 - 1 / 4000.0) / 40;
+    fill(&fixture, steep_rows);
+    fixture.relief.is_endless = true;
+    for (double y = -28; y <= 28; y += 7) {
+        for (double row = 1; row < ROWS - 1; row += 0.61) {
+            const struct card_light light = look(&fixture, 3, y, row < 9 ? -20 : 60, row, &sight);
+            const double V = (row - 100 * y * (1 / 300.0 + s / 2 - 1e-3)) / (1 - 100 * y * s);
+            const double off = fabs(100 * y * s) / 2;
+            if (V > 1 && V < ROWS - 1) {
+                CHECK_NEAR((double)light.of[0], row < 9 ? 0.5 : 40.5, 1e-5, "the border");
+                CHECK_NEAR((double)light.of[1], V, off / (1 - 2 * off) + 1e-4, "along it");
+                CHECK(sight == SIGHT_BESIDE);
+            }
+        }
+    }
+    arena_free(&fixture.arena);
+    fill(&fixture, steep_columns);
+    fixture.relief.is_endless = true;
+    for (double y = -28; y <= 28; y += 7) {
+        /* beyond the column that is 4 m away, and before the one 0.3 m away */
+        struct card_light light = look(&fixture, 28, y, 50, 11.5, &sight);
+        CHECK_NEAR((double)light.of[1], 11.5 - 100 * y * (1 / 4000.0 - 1e-3), 1e-4, "far border");
+        CHECK(sight == SIGHT_BESIDE);
+        light = look(&fixture, 28, y / 4, -10, 11.5, &sight);
+        CHECK_NEAR((double)light.of[1], 11.5 - 25 * y * (1 / 300.0 - 1e-3), 1e-4, "near border");
+        CHECK(sight == SIGHT_BESIDE);
+    }
+    arena_free(&fixture.arena);
+}
+
+/* Nothing is looked for 500 frames beside the middle, where rays are nearest or end. */
+static void test_far_beside(void)
+{
+    static const struct {
+        double x, aside; /* mm; columns, at the distance of all */
+        bool is_seen;
+    } cases[] = {
+        {0, 20490, true},   {0, -20490, true},    {0, 20510, false}, {0, -20510, false},
+        {9, 20499.5, true}, {-9, 20499.5, false}, {9, 20501, false}, {-9, -20499.5, true},
+    };
+    struct fixture fixture;
+    fill(&fixture, at_frame);
+    fixture.relief.is_endless = true;
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        enum depth_card_sight sight;
+        const struct card_light light =
+            look(&fixture, cases[i].x, 0, 20.5 + cases[i].aside, 11.5, &sight);
+        CHECK_NEAR((double)light.of[2], cases[i].is_seen ? 1 : 0, 0, "far beside");
+        CHECK(sight == SIGHT_BESIDE);
+    }
+    arena_free(&fixture.arena);
+}
+
+/* Nothing but a corner is near: 0.3 m before the pupil, the rest 4 m. */
+static double corner(size_t column, size_t row)
+{
+    return depth_of(column >= 38 && row >= 20 ? 300 : 4000);
+}
+
+/* A point of column U at 300 mm is seen from x along u = U - 100 x (1/300 - 1/1000). */
+static void test_corner(void)
+{
+    struct fixture fixture;
+    fill(&fixture, corner);
+    for (double x = -40; x <= 40; x += 8) {
+        enum depth_card_sight sight;
+        const double column = 39.5 - 100 * x * (1 / 300.0 - 1e-3);
+        const struct card_light light = look(&fixture, x, 0, column, 21.5, &sight);
+        CHECK_NEAR((double)light.of[0], 39.5, 1e-4, "a near corner");
+        CHECK_NEAR((double)light.of[1], 21.5, 1e-4, "its row");
+        CHECK(sight == SIGHT_SEEN);
     }
     arena_free(&fixture.arena);
 }
@@ -207,6 +403,66 @@ static void test_march(void)
     arena_free(&fixture.arena);
 }
 
+/* -------- the range of a part -------- */
+
+static long clamped(long at, long most)
+{
+    return at < 0 ? 0 : at > most ? most : at;
+}
+
+/* Of all pixels in the squares, of the least size that is over the part's, of its corners. */
+static void range_of(const struct fixture *fixture, const long from[2], const long to[2],
+                     double range[2])
+{
+    int level = 0;
+    while (level < 6 && (to[0] - from[0] >= 1L << level || to[1] - from[1] >= 1L << level)) {
+        level++;
+    }
+    const double size = (double)(1L << level);
+    const long last[2] = {(COLUMNS - 1) >> level, (ROWS - 1) >> level};
+    range[0] = INFINITY;
+    range[1] = 0;
+    for (long i = 0; i < COLUMNS * ROWS; i++) {
+        const long square[2] = {i % COLUMNS >> level, i / COLUMNS >> level};
+        bool holds = true;
+        for (int k = 0; k < 2; k++) {
+            holds = holds && (square[k] == clamped((long)floor((double)from[k] / size), last[k]) ||
+                              square[k] == clamped((long)floor((double)to[k] / size), last[k]));
+        }
+        const double w = 1 / ((double)fixture->depths.pixels[i] * 1000 - 50);
+        range[0] = holds ? fmin(range[0], w) : range[0];
+        range[1] = holds ? fmax(range[1], w) : range[1];
+    }
+}
+
+/* Parts from the middle of a pixel to that of another, on the frame and about its borders. */
+static void test_range(void)
+{
+    struct fixture fixture;
+    fill(&fixture, rough);
+    for (int i = 0; i < 3000; i++) {
+        const long from[2] = {(long)floor(fmod(i * 0.754878, 1) * 46) - 3,
+                              (long)floor(fmod(i * 0.569840, 1) * 28) - 3};
+        const long size = i % 3 == 0 ? 3 : 24;
+        const long to[2] = {from[0] + (long)floor(fmod(i * 0.618034, 1) * (double)size),
+                            from[1] + (long)floor(fmod(i * 0.318, 1) * (double)size)};
+        const struct card_part part = {{10 * (double)from[0] - 200, 110 - 10 * (double)to[1]},
+                                       {10 * (double)to[0] - 200, 110 - 10 * (double)from[1]}};
+        const bool is_within = from[0] >= 0 && from[1] >= 0 && to[0] < COLUMNS && to[1] < ROWS;
+        double least, most, range[2];
+        range_of(&fixture, from, to, range);
+        fixture.relief.is_endless = false;
+        depth_card_range(&fixture.relief, &part, &least, &most);
+        CHECK_NEAR(least, is_within ? range[0] : 0, 1e-12, "the farthest of a part");
+        CHECK_NEAR(most, range[1], 1e-12, "the nearest of a part");
+        fixture.relief.is_endless = true;
+        depth_card_range(&fixture.relief, &part, &least, &most);
+        CHECK_NEAR(least, range[0], 1e-12, "the farthest of a frame that goes on");
+        CHECK_NEAR(most, range[1], 1e-12, "the nearest of it");
+    }
+    arena_free(&fixture.arena);
+}
+
 /* -------- refused -------- */
 
 static void test_errors(void)
@@ -231,6 +487,18 @@ static void test_errors(void)
     }
     fixture.depths.pixels[2 * COLUMNS + 4] = INFINITY;
     CHECK(depth_card_open(&fixture.question, &fixture.arena, &fixture.relief, &error));
+    /* just at the front vertex, and just in a pupil before it, whose distance would be 0 */
+    fixture.depths.pixels[2 * COLUMNS + 4] = 0.125F;
+    fixture.question.sensor = 125;
+    CHECK(!depth_card_open(&fixture.question, &fixture.arena, &fixture.relief, &error));
+    fixture.question.sensor = 75;
+    fixture.question.pupil = -50;
+    CHECK(!depth_card_open(&fixture.question, &fixture.arena, &fixture.relief, &error));
+    fixture.question.pupil = -49;
+    CHECK(depth_card_open(&fixture.question, &fixture.arena, &fixture.relief, &error));
+    fixture.question.pupil = -950; /* in the card itself */
+    CHECK(!depth_card_open(&fixture.question, &fixture.arena, &fixture.relief, &error));
+    CHECK_TEXT(error.message, "the card lies behind the entrance pupil");
     fixture.question.pupil = INFINITY;
     CHECK(!depth_card_open(&fixture.question, &fixture.arena, &fixture.relief, &error));
     arena_free(&fixture.arena);
@@ -240,8 +508,15 @@ int main(void)
 {
     test_planes();
     test_edges();
+    test_steps();
+    test_coarse();
     test_plane();
+    test_steep();
+    test_endless();
+    test_far_beside();
+    test_corner();
     test_march();
+    test_range();
     test_errors();
     return check_report();
 }

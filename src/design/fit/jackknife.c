@@ -50,8 +50,8 @@ bool jackknife_covariance(const struct jackknife_fit *fit, struct arena *arena, 
     }
     for (size_t g = 0; g < fit->group_count && is_fixed; g++) {
         double *rest = squares + g * n * n, *solved = slopes + g * n, trace = 0;
-        for (size_t i = 0; i < n; i++) {
-            trace += rest[i * n + i];
+        for (size_t i = 0; i < n * n; i += n + 1) {
+            trace += rest[i];
         }
         if (!(trace > 0)) {
             continue; /* it has no rows */
