@@ -68,6 +68,33 @@ static void check_disc(void)
     }
 }
 
+/* Plates bend nothing: through the middle of the stop, 95 mm before the film, rays go straight. */
+static void check_chief(void)
+{
+    static const double off = 2e-5; /* a fifth of the stop's radius */
+    static const double steps[][2] = {{3, 4}, {-12, 5}, {8, -15}, {0, 11}, {-0.5, 0}};
+    static struct film_samples samples;
+    struct fixture fixture;
+    if (!lens_read("test",
+                   text_of("lens plate\nwavelength d\nobject inf\naperture stop\n"
+                           "surface - 2 1.5 -\nsurface - 5 air -\nstop - 95 air 0.02\n"),
+                   NULL, &arena, &fixture.lens, &error) ||
+        !open_film(95, &fixture)) {
+        CHECK(false);
+        return;
+    }
+    struct rays rays = rays_new(&arena, RAYS_BLOCK);
+    for (size_t i = 0; i < sizeof steps / sizeof steps[0]; i++) {
+        const double x = steps[i][0], y = steps[i][1], h = hypot(x, y), length = hypot(h, 95);
+        CHECK_NEAR(lens_film_angle(&fixture.film, steps[i], &samples, &rays),
+                   atan(h / 95) - atan(1e-6 * h / 95), off, "angle of a step");
+        lens_film_chief(&fixture.film, steps[i], &samples, &rays);
+        CHECK_NEAR(rays.blocks->p[0], -x / length, off, "chief ray: x");
+        CHECK_NEAR(rays.blocks->q[0], -y / length, off, "chief ray: y");
+        CHECK_NEAR(rays.blocks->r[0], -95 / length, off, "chief ray: z");
+    }
+}
+
 /* Where several edges cut the pupil: by those that are found to the last digit. */
 static void check_vignetted(const char *name, double reach)
 {
@@ -95,6 +122,7 @@ static void check_vignetted(const char *name, double reach)
 int main(void)
 {
     check_disc();
+    check_chief();
     check_vignetted("double-gauss-50", 20);
     arena_free(&arena);
     return check_report();

@@ -301,7 +301,7 @@ static bool read_figures(struct text *line, struct trial_statistics *more)
         }
         counted += (uint64_t)in_bin;
     }
-    return read && counted == more->count;
+    return read && counted == more->count && line->length == 0;
 }
 
 bool trial_statistics_read(struct text *rest, struct trial_statistics *tally)
