@@ -139,6 +139,86 @@ static void check_shares(void)
     arena_free(&arena);
 }
 
+/* Two that are judged, p0 + p0^2 and 3 p0 - p0 p1, and one beside them, 4 p1. */
+static bool three(void *context, const double *p, double *figures, struct error *why)
+{
+    (void)context;
+    (void)why;
+    figures[0] = p[0] + p[0] * p[0];
+    figures[1] = 3 * p[0] - p[0] * p[1];
+    figures[2] = 4 * p[1];
+    return true;
+}
+
+/* The mean of the judged is 2 p0 + p0^2/2 - p0 p1/2: variances 4/3, (1/5 - 1/9)/4 and 1/36. */
+static void check_judged(void)
+{
+    static const bool none[3] = {false, false, false};
+    const struct second_order_problem judged = {.trial = three,
+                                                .error_count = 2,
+                                                .figure_count = 3,
+                                                .judged_count = 2,
+                                                .is_root = none,
+                                                .names = names};
+    const struct perturbation_moments even = {1.0 / 3, 1.0 / 5}, moments[2] = {even, even};
+    struct arena arena = {0};
+    struct second_order differential;
+    struct second_order_share shares[2];
+    struct error error = {.code = ERROR_NONE};
+    CHECK(second_order_open(&judged, &arena, &differential, &error));
+    const double alone = 4.0 / 3 + 1.0 / 45, both = 1.0 / 36, all = alone + both;
+    double deviation = second_order_shares(&differential, moments, LENS_NONE, shares);
+    CHECK_NEAR(deviation, sqrt(all), 1e-13, "deviation of the mean");
+    CHECK_NEAR(shares[0].first, alone / all, 1e-13, "first of the mean");
+    CHECK_NEAR(shares[0].total, 1, 1e-13, "total of the mean");
+    CHECK_NEAR(shares[1].first, 0, 1e-13, "first of the mean");
+    CHECK_NEAR(shares[1].total, both / all, 1e-13, "total of the mean");
+    deviation = second_order_shares(&differential, moments, 1, shares);
+    CHECK_NEAR(deviation, sqrt(3 + 1 / 9.0), 1e-13, "deviation of one");
+    CHECK_NEAR(shares[0].first, 27 / 28.0, 1e-13, "first of one");
+    deviation = second_order_shares(&differential, moments, 2, shares);
+    CHECK_NEAR(deviation, 4 / sqrt(3), 1e-13, "deviation of one that is not judged");
+    CHECK_NEAR(shares[1].first, 1, 1e-13, "all of it by the second");
+    /* unlike moments: 9 v + w', of 3 p0 - p0 p1 with v of p1 alone */
+    const struct perturbation_moments unlike[2] = {{0.5, 0.4}, {0.2, 0.1}};
+    deviation = second_order_shares(&differential, unlike, 1, shares);
+    CHECK_NEAR(deviation * deviation, 9 * 0.5 + 0.5 * 0.2, 1e-13, "of unlike errors");
+    CHECK_NEAR(shares[1].total, 0.1 / 4.6, 1e-13, "of unlike errors");
+    arena_free(&arena);
+}
+
+/* The root of 1 - 1.5 p, of 0 beyond: its square is developed as 1 - 19/12 p, by hand. */
+static bool ending(void *context, const double *p, double *figures, struct error *why)
+{
+    (void)context;
+    (void)why;
+    figures[0] = sqrt(fmax(1 - 1.5 * p[0], 0));
+    return true;
+}
+
+static void check_ending(void)
+{
+    const struct second_order_problem ends = {.trial = ending,
+                                              .error_count = 1,
+                                              .figure_count = 1,
+                                              .judged_count = 1,
+                                              .is_root = is_root,
+                                              .names = names};
+    struct arena arena = {0};
+    struct second_order differential;
+    struct error error = {.code = ERROR_NONE};
+    double errors[SECOND_ORDER_LANES], figures[SECOND_ORDER_LANES];
+    CHECK(second_order_open(&ends, &arena, &differential, &error));
+    for (size_t l = 0; l < SECOND_ORDER_LANES; l++) {
+        errors[l] = (double)l / SECOND_ORDER_LANES;
+    }
+    second_order_trials(&differential, errors, figures);
+    for (size_t l = 0; l < SECOND_ORDER_LANES; l++) {
+        CHECK_NEAR(figures[l], sqrt(fmax(1 - 19 / 12.0 * errors[l], 0)), 1e-13, "0 at least");
+    }
+    arena_free(&arena);
+}
+
 static bool never(void *context, const double *p, double *figures, struct error *why)
 {
     figures[0] = p[1];
@@ -182,6 +262,8 @@ int main(void)
     check_trials();
     check_sets();
     check_shares();
+    check_judged();
+    check_ending();
     check_failure();
     check_stopped();
     return check_report();

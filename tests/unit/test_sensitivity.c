@@ -6,12 +6,12 @@
 
 enum { ERRORS = 4 };
 
-/* sqrt(1 + 0.2 p0 + p1^2), and 5 + p0 - 3 p2 + p2^2; too much of p3 is no lens. */
+/* sqrt(1 + 0.2 p0 + p1^2), and 5 + p0 - 3 p2 + p2^2 + p2^3/2; too much of p3 is no lens. */
 static bool trial(void *context, const double *p, double *figures, struct error *why)
 {
     (void)context;
     figures[0] = sqrt(1 + 0.2 * p[0] + p[1] * p[1]);
-    figures[1] = 5 + p[0] - 3 * p[2] + p[2] * p[2];
+    figures[1] = 5 + p[0] - 3 * p[2] + p[2] * p[2] + p[2] * p[2] * p[2] / 2;
     return p[3] < 0.75 || fail(why, ERROR_DOMAIN, "a ray is lost");
 }
 
@@ -35,8 +35,16 @@ static void check_table(void)
     CHECK(table[1][0].plus == table[1][0].minus);
     CHECK_NEAR(table[2][1].linear, -3, 1e-13, "linear");
     CHECK_NEAR(table[2][1].quadratic, 1, 1e-14, "quadratic");
+    CHECK_NEAR(table[2][1].plus, -1.5, 1e-14, "plus");
+    CHECK_NEAR(table[2][1].minus, 3.5, 1e-14, "minus");
     CHECK(isnan(table[3][0].plus) && isnan(table[3][0].linear) && table[3][0].minus == 0);
     CHECK_TEXT(failure, "t2 of 1 times its tolerance: a ray is lost");
+    /* a root of 0 has no derivative; its changes are what they are */
+    const double zero[] = {0, 5};
+    sensitivity_find(&problem, zero, &arena, table[0], &failure);
+    CHECK(isnan(table[0][0].linear));
+    CHECK_NEAR(table[0][0].plus, sqrt(1.2), 1e-15, "plus");
+    CHECK_NEAR(table[2][1].linear, -3, 1e-13, "linear");
     arena_free(&arena);
 }
 
@@ -78,6 +86,15 @@ static bool linear(void *context, const double *p, double *figures, struct error
     return true;
 }
 
+static bool bent(void *context, const double *p, double *figures, struct error *why)
+{
+    (void)context;
+    (void)why;
+    figures[0] = 0;
+    figures[1] = 5 + 2 * p[0] + p[0] * p[0];
+    return true;
+}
+
 /* Four of slopes 1, 2, 4 and 100 that cost 2 together. */
 static void check_inverse(void)
 {
@@ -99,6 +116,7 @@ static void check_inverse(void)
     for (size_t i = 0; i < ERRORS; i++) {
         CHECK(answers[i].limit == INVERSE_FREE);
         CHECK_RELATIVE(answers[i].factor, 1 / slopes[i], 1e-6, "an even share");
+        CHECK_NEAR(answers[i].cost, 1, 1e-6, "which it costs");
     }
     /* the last costs 1.2 at least, the first 0.3 at most: 2^2 - 1.2^2 - 0.3^2 is left for two */
     const double low[] = {1e-6, 1e-6, 1e-6, 0.012}, high[] = {0.3, 1e6, 1e6, 1e6};
@@ -108,6 +126,9 @@ static void check_inverse(void)
     CHECK_NEAR(inverse_find(&question, &arena, answers), 2, 1e-6, "limited");
     CHECK(answers[0].limit == INVERSE_LOOSEST && answers[0].factor == 0.3);
     CHECK(answers[3].limit == INVERSE_TIGHTEST && answers[3].factor == 0.012);
+    CHECK_NEAR(answers[0].cost, 0.3, 1e-12, "of the loosest");
+    CHECK_NEAR(answers[3].cost, 1.2, 1e-12, "of the tightest");
+    CHECK_NEAR(answers[1].cost, share, 1e-6, "of the rest");
     CHECK_RELATIVE(answers[1].factor, share / 2, 1e-6, "the rest");
     CHECK_RELATIVE(answers[2].factor, share / 4, 1e-6, "the rest");
     /* two errors of one tolerance cost the root of the sum of their squares */
@@ -132,7 +153,26 @@ static void check_inverse(void)
     question.high = near;
     inverse_find(&question, &arena, answers);
     CHECK(answers[1].limit == INVERSE_LOOSEST && answers[1].factor == 1e-5);
+    /* of two unlike ends the worse: 5 + 2 p + p^2 costs 3 p where p is 1, and 1 at -1 */
+    of.trial = bent;
+    question.drop = 8;
+    question.high = far;
+    question.thing_count = 1;
+    CHECK_NEAR(inverse_find(&question, &arena, answers), 8, 1e-6, "bent");
+    CHECK_RELATIVE(answers[0].factor, 2.0, 1e-6, "2 p + p^2 = 8");
+    /* without figures at the tightest there is no answer, at the loosest alone there is */
+    of.trial = trial;
+    const double loose[] = {1e-6, 1e-6, 1e-6, 0.74}, lost[] = {1e-6, 1e-6, 1e-6, 0.75};
+    question.thing_count = ERRORS;
+    question.low = loose;
+    CHECK(isfinite(inverse_find(&question, &arena, answers)));
+    CHECK(answers[3].limit == INVERSE_FREE && answers[3].cost == 0);
+    CHECK_RELATIVE(answers[3].factor, 0.75, 1e-6, "where figures end");
+    question.low = lost;
+    CHECK(isnan(inverse_find(&question, &arena, answers)));
     struct watch watch = {.is_busy = ATOMIC_FLAG_INIT, .look = look};
+    of.trial = linear;
+    question.low = low;
     of.watch = &watch;
     CHECK(isnan(inverse_find(&question, &arena, answers)));
     arena_free(&arena);
