@@ -376,6 +376,19 @@ static void test_strips(void)
     CHECK(changed > 1e-3);
 }
 
+/* One pixel has no smaller picture: it stays as it is. */
+static void test_one_pixel(void)
+{
+    float pixels[] = {1, 2, 3};
+    const struct image image = {.width = 1, .height = 1, .channels = 3, .pixels = pixels};
+    const struct foveal look = foveal_look(&image, 1.0, arena);
+    struct image made;
+    CHECK(acuity_blur(&look, &image, arena, &made, &error));
+    for (int k = 0; k < 3; k++) {
+        CHECK_RELATIVE((double)made.pixels[k], (double)pixels[k], 1e-6, "one pixel");
+    }
+}
+
 /* Colours that the display does not have keep their luminance. */
 static void test_colours(void)
 {
@@ -483,6 +496,7 @@ int main(void)
     test_veil();
     test_long_pixels();
     test_strips();
+    test_one_pixel();
     test_colours();
     test_codes();
     test_merge_floats();
