@@ -179,8 +179,40 @@ static void check_starts(void)
     }
 }
 
+/*
+ * Behind a plate a parallel beam stays one, as wide as the stop of 4 mm in radius: the mean square
+ * distance from its middle is 4^2/2 in each field, whatever the unit of residuals.
+ */
+static void check_squares(void)
+{
+    static const char *const plate = "wavelength d F\nfield angle 0 4 9\naperture stop\n"
+                                     "focus table\nsurface - 2 1.5 -\nsurface - 5 air -\n"
+                                     "stop - 40 air 8\n";
+    static const double deviations[] = {1, 0.02};
+    static const struct merit_question question = {
+        .fnumber = NAN, .pattern = PATTERN_GAUSS, .rays = 3};
+    for (size_t i = 0; i < 2; i++) {
+        static struct under_test test;
+        struct error error = {0};
+        const bool opens = open_test(&test, plate, "R2", &question, OPERAND_SPOT, &error);
+        CHECK(opens);
+        if (opens) {
+            double squares[3];
+            double *residuals = ARENA_ARRAY(&test.arena, test.merit.residual_count, double);
+            test.operand.deviation = deviations[i];
+            CHECK(merit_evaluate(&test.merit, test.v, residuals, NULL));
+            merit_rays_squares(&test.merit.slots[0], residuals, squares);
+            for (int field = 0; field < 3; field++) {
+                CHECK_RELATIVE(squares[field], 8.0, 1e-6, "a beam of 4 mm in radius");
+            }
+        }
+        arena_free(&test.arena);
+    }
+}
+
 int main(void)
 {
+    check_squares();
     if (sizeof(real) == sizeof(double)) {
         printf("spots: skipped, no number has more than 53 bits\n");
         return check_report();
