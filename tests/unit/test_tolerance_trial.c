@@ -328,6 +328,107 @@ static void check_lines(void)
     arena_free(&arena);
 }
 
+/* Figures and movements that are quadratic in errors, each in its own way. */
+static size_t sloped_figures, sloped_errors;
+
+static bool sloped(void *context, const double *p, double *figures, struct error *why)
+{
+    (void)context;
+    (void)why;
+    for (size_t f = 0; f < sloped_figures; f++) {
+        figures[f] = 0.02 + 0.002 * (double)f + 1e-3 * p[0] * p[1];
+        for (size_t i = 0; i < sloped_errors; i++) {
+            figures[f] += 1e-3 * ((double)((i * 7 + f * 3) % 5) - 2) * p[i];
+        }
+    }
+    return true;
+}
+
+/* Runs of lenses to second order, counted one by one; in parts and by two threads the same. */
+static void check_second_order(enum tolerance_of of)
+{
+    enum { TRIALS = 75, CUT = 41, WORST = 4 };
+    static const bool none[MOST] = {false};
+    static const char *names[MOST] = {"error"};
+    static struct under_test test;
+    struct error error = {.code = ERROR_NONE};
+    test = (struct under_test){.lens = lens_of(double_gauss, &arena)};
+    test.question.perturbation_count = list_all(&test.lens, test.list);
+    test.question.refocus = REFOCUS_PARAXIAL;
+    if (!open_test(&test)) {
+        return;
+    }
+    const size_t figures = test.tolerance.figure_count, moves = tolerance_moves(&test.tolerance);
+    sloped_figures = figures + moves;
+    sloped_errors = test.question.perturbation_count;
+    const struct second_order_problem problem = {.trial = sloped,
+                                                 .error_count = sloped_errors,
+                                                 .figure_count = sloped_figures,
+                                                 .judged_count = figures,
+                                                 .is_root = none,
+                                                 .names = names};
+    struct second_order differential;
+    CHECK(second_order_open(&problem, &arena, &differential, &error));
+    struct tolerance_run run = {.question = &test.question,
+                                .of = of,
+                                .limit = 0.023,
+                                .seed = 11,
+                                .end = TRIALS,
+                                .total = TRIALS,
+                                .threads = 2,
+                                .differential = &differential};
+    struct tolerance_result whole, parts;
+    tolerance_result_open(&run, &test.tolerance, WORST, &arena, &whole);
+    tolerance_result_open(&run, &test.tolerance, WORST, &arena, &parts);
+    CHECK(tolerance_run(&run, &whole, &error));
+    run.end = CUT;
+    CHECK(tolerance_run(&run, &parts, &error));
+    run.begin = CUT;
+    run.end = TRIALS;
+    CHECK(tolerance_run(&run, &parts, &error));
+    /* each by itself, as the functions have it */
+    const size_t columns = of == TOLERANCE_OF_EACH ? figures : 1;
+    double sums[MOST] = {0}, moved = 0, judged[TRIALS];
+    uint64_t passed[MOST] = {0};
+    for (uint64_t trial = 0; trial < TRIALS; trial++) {
+        double errors[MOST], at[MOST], worst = -INFINITY;
+        tolerance_errors(&test.question, 11, trial, errors);
+        sloped(NULL, errors, at, &error);
+        for (size_t f = 0; f < figures; f++) {
+            worst = fmax(worst, at[f]);
+        }
+        judged[trial] = worst;
+        for (size_t c = 0; c < columns; c++) {
+            const double figure = of == TOLERANCE_OF_EACH ? at[c] : worst;
+            sums[c] += figure / TRIALS;
+            passed[c] += figure <= run.limit;
+        }
+        moved += at[figures] / TRIALS;
+    }
+    CHECK(whole.done == TRIALS && whole.failed == 0 && whole.column_count == columns);
+    CHECK(parts.done == TRIALS && parts.worst_count == WORST && whole.worst_count == WORST);
+    for (size_t c = 0; c < columns; c++) {
+        CHECK_RELATIVE(trial_statistics_moments(&whole.columns[c].tally).mean, sums[c], 1e-12,
+                       "the mean of a figure");
+        CHECK(whole.columns[c].passed == passed[c] && passed[c] > 0 && passed[c] < TRIALS);
+        CHECK(parts.columns[c].passed == passed[c]);
+        CHECK(same_tally(&parts.columns[c].tally, &whole.columns[c].tally));
+    }
+    CHECK(moves == 1);
+    CHECK_RELATIVE(trial_statistics_moments(&whole.moves[0]).mean, moved, 1e-12, "of a movement");
+    CHECK(same_tally(&parts.moves[0], &whole.moves[0]));
+    for (size_t k = 0; k < WORST; k++) {
+        size_t worse = 0;
+        for (size_t trial = 0; trial < TRIALS; trial++) {
+            worse += judged[trial] > judged[whole.worst[k].trial];
+        }
+        CHECK(worse == k);
+        CHECK_RELATIVE(whole.worst[k].badness, judged[whole.worst[k].trial], 1e-12, "how bad");
+        CHECK(parts.worst[k].trial == whole.worst[k].trial);
+    }
+    arena_free(&arena);
+}
+
 /* Errors of even spread have the second moment 1/3, and none goes with another. */
 static void check_independence(void)
 {
@@ -423,6 +524,8 @@ int main(void)
     check_pivot();
     check_turned();
     check_lines();
+    check_second_order(TOLERANCE_OF_EACH);
+    check_second_order(TOLERANCE_OF_WORST);
     check_independence();
     return check_report();
 }
