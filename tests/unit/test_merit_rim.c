@@ -24,9 +24,21 @@ static const char near[] = "wavelength d F\n"
                            "surface 90 5 1.65/40 -\n"
                            "surface -80 90 air -\n";
 
+/* A lens beside the axis: the marginal ray is beside it, too. */
+static const char aside[] = "wavelength d F\n"
+                            "field angle 0 3\n"
+                            "aperture f/8 real\n"
+                            "focus paraxial\n"
+                            "surface 40 8 1.62/60 -\n"
+                            "surface -300 18 air - decenter=0.2,0.1\n"
+                            "stop - 6 air -\n"
+                            "surface -40 2 1.7/30 -\n"
+                            "surface 90 20 air -\n";
+
 static const struct merit_case cases[] = {
     {"fast", fast, "R1 R2 t2 t3 R4 n1 k2 A4_5", "poly", 2e-6},
     {"fast opd", fast, "R1 t2 R4", "opd", 2e-6},
+    {"aside", aside, "R1 R2 t2 n1", "spot", 2e-6},
     {"near", near, "R1 R2 t2 t3 R4 n4", "spot", 2e-6},
     {"edges", fast, "R1 t2 R5", "edge > 1, air > 1", 2e-6},
 };

@@ -142,6 +142,12 @@ static void test_outside(void)
     }
     struct reciprocity film = load(HP5);
     double T = NAN;
+    /* T^2 from 4 s on: just those have been 16 s, less is what no time has become */
+    film.p = 2;
+    film.onset = 4;
+    film.valid_to = INFINITY;
+    CHECK(reciprocity_metered(&film, 16, &T, &error) && T == 4);
+    CHECK(!reciprocity_metered(&film, 15.999, &T, &error));
     CHECK(!reciprocity_corrected(&film, NAN, &T, &error));
     CHECK(!reciprocity_metered(&film, NAN, &T, &error));
 }
