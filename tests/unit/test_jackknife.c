@@ -21,7 +21,7 @@ static double determinant(double a[COLUMNS][COLUMNS])
     return sum;
 }
 
-/* The least squares of all rows but those of a group, by Cramer's rule of their normal equations. */
+/* Least squares of all rows but those of a group, by Cramer's rule of their normal equations. */
 static void fit_without(const double *jacobian, const double *residuals, size_t without,
                         double change[COLUMNS])
 {
