@@ -49,8 +49,8 @@ struct plane {
 };
 
 /*
- * cos t/t^2 of all pairs, and their balance: d such that each sum of d_i d_j cos t/t^2 is 1, as near
- * as four turns come, which leave 0.0012 of light of 1.
+ * cos t/t^2 of all pairs, and their balance: d such that each sum of d_i d_j cos t/t^2 is 1, as
+ * near as four turns come, which leave 0.0012 of light of 1.
  */
 static void scatter(struct plane *plane, double width, double height)
 {
