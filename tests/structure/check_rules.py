@@ -120,7 +120,8 @@ BROKEN = {
                                       head=PRIVATE)),
         "src/base/number.c:9: long_one has 81 code lines, at most 80"),
     "a long file": (
-        add("base/number.c", "/* */\n" * 594), "src/base/number.c: 601 lines, at most 600"),
+        add("base/number.c", "/* */\n\n" + "extern int number_last;\n" * 596),
+        "src/base/number.c: 601 code lines, at most 600"),
     "a long line": (
         add("base/number.c", f"/*{'-' * 97}*/\n"), "src/base/number.c:[8]: over 100 columns"),
     "a tab": (

@@ -81,6 +81,7 @@ WRITABLE = {
 }
 # The one source in C++; what it may call of stdio only formats into buffers.
 CXX_SOURCES = ["src/design/solver/solver_ceres.cc"]
+# of code lines, which are neither blank nor comment alone: nobody is to save explanations; columns
 LONGEST_FUNCTION, LONGEST_FILE, LONGEST_LINE = 80, 600, 100
 MOST_COMPLEX = 20  # McCabe's number as pmccabe counts it, a switch as one decision
 MOST_PARAMETERS = 8  # of a public function
@@ -269,8 +270,8 @@ def check_head(checks, path, text):
 
 def check_sizes(checks, path, text):
     limit = LONG_FILES.get(path, LONGEST_FILE)
-    count = text.count("\n")
-    checks.check(count <= limit, f"{path}: {count} lines, at most {limit}")
+    count = sum(1 for line in blank_comments(text).split("\n") if line.strip())
+    checks.check(count <= limit, f"{path}: {count} code lines, at most {limit}")
     long_lines = [number for number, line in enumerate(text.split("\n"), 1)
                   if len(line) > LONGEST_LINE + (len(path) if number == 1 else 0)]
     checks.check(not long_lines, f"{path}:{long_lines[:3]}: over {LONGEST_LINE} columns")
