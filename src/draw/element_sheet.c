@@ -11,6 +11,7 @@ static const double UNITS = 10, LEFT = 60, RIGHT = 2040, MIDDLE_X = 1050, AXIS_Y
 static const double FIELD_TOP = 170, FIELD_BOTTOM = 980, TABLE_TOP = 1010, LINE = 62;
 static const double ROOM_X = 900, ROOM_Y = 520; /* for the element itself */
 static const double SIZE = 32, ARROW = 16;
+static const double RADIUS_AT = 0.55; /* height at which arrows meet the surfaces, over the rim's */
 static const char *const BLACK = "#000000";
 
 /* The largest round scale at which the element has room, as length on paper over its own. */
@@ -35,6 +36,47 @@ static void sheet_arrow(struct svg *svg, double x, double y, double dx, double d
     const double xs[] = {x, x - ARROW * dx - 5 * dy, x - ARROW * dx + 5 * dy};
     const double ys[] = {y, y - ARROW * dy + 5 * dx, y - ARROW * dy - 5 * dx};
     svg_styled_polygon(svg, &(struct svg_style){.fill = BLACK}, xs, ys, 3);
+}
+
+/* Where the outline is at this height, the leftmost (side 0) or rightmost, and its slope dx/dy. */
+static double sheet_outline_at(const double *x, const double *y, size_t count, double height,
+                               size_t side, double *slope)
+{
+    double found = NAN;
+    for (size_t i = 0; i < count; i++) {
+        const size_t next = (i + 1) % count;
+        const double rise = y[next] - y[i];
+        if ((y[i] <= height) != (y[next] <= height)) {
+            const double at = x[i] + (height - y[i]) * (x[next] - x[i]) / rise;
+            if (isnan(found) || (side == 0 ? at < found : at > found)) {
+                found = at;
+                *slope = (x[next] - x[i]) / rise;
+            }
+        }
+    }
+    return found;
+}
+
+/* The radius of a surface: an arrow that meets it square from outside, on a line under its words. */
+static void sheet_draw_radius(const struct element_sheet *sheet, size_t side, const double *x,
+                              const double *y, double half, double limit, struct svg *svg)
+{
+    const struct svg_style thin = {.stroke = BLACK, .width = 2};
+    const double out = side == 0 ? -1 : 1, height = AXIS_Y - RADIUS_AT * half;
+    double slope = 0;
+    const double at = sheet_outline_at(x, y, sheet->count, height, side, &slope);
+    const double end = limit + 40 * out;
+    /* the normal, as far as the words keep off the axis and within the element */
+    const double low = fmin(height, AXIS_Y - 0.25 * half);
+    const double away = height - slope * (end - at);
+    const double line = fmin(fmax(away, AXIS_Y - half + SIZE + 20), fmax(low, AXIS_Y - 50));
+    const double length = hypot(end - at, line - height);
+    const double width = svg_text_width(sheet->radius[side], SIZE);
+    svg_styled_line(svg, &thin, at, height, end, line);
+    svg_styled_line(svg, &thin, end, line, end + (width + 20) * out, line);
+    sheet_arrow(svg, at, height, (at - end) / length, (height - line) / length);
+    svg_words(svg, end + 10 * out, line - 10, SIZE, side == 0 ? SVG_END : SVG_START, BLACK,
+              sheet->radius[side]);
 }
 
 static void sheet_draw_element(const struct element_sheet *sheet, double scale, struct svg *svg)
@@ -64,8 +106,10 @@ static void sheet_draw_element(const struct element_sheet *sheet, double scale, 
     }
     svg_words(svg, MIDDLE_X + k * (sheet->vertex[1] - middle) + 100, low + 11, SIZE, SVG_START,
               BLACK, sheet->thickness);
-    /* diameter, to the right */
-    const double far = right + 170;
+    sheet_draw_radius(sheet, 0, x, y, half, left, svg);
+    sheet_draw_radius(sheet, 1, x, y, half, right, svg);
+    /* diameter, to the right of the radius */
+    const double far = right + 130 + svg_text_width(sheet->radius[1], SIZE);
     for (int side = -1; side <= 1; side += 2) {
         const double at = AXIS_Y + side * half;
         const double rim = MIDDLE_X + k * (sheet->edge[1] - middle);

@@ -18,6 +18,7 @@ struct element_sheet {
     double edge[2];                 /* z where its surfaces end at the top, mm */
     double diameter;                /* mm */
     const char *thickness, *across; /* dimensions in words: "8.05 ± 0.02", "Ø 46" */
+    const char *radius[2];          /* those of the surfaces: "R 58.95" */
     const char *left[ELEMENT_LINES], *material[ELEMENT_LINES], *right[ELEMENT_LINES];
     const char *const *notes;
     size_t note_count;

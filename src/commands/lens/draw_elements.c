@@ -161,6 +161,17 @@ static const char *element_centring(const struct lens *lens, size_t surface, str
                          : arena_printf(arena, "4/ %s", NOT_STATED);
 }
 
+/* "R 58.95 ± 0.1" */
+static const char *element_radius(const struct layout *layout, const struct draw_element *element,
+                                  size_t i, size_t side)
+{
+    const double R = element->radius[side];
+    return isinf(R) ? "R \u221e"
+                    : arena_printf(layout->arena, "R %.7g%s", fabs(R),
+                                   element_allowed(layout->setup->lens, TOLERANCE_RADIUS, i + side,
+                                                   layout->arena));
+}
+
 static void element_surface_lines(const struct layout *layout, const struct draw_element *element,
                                   size_t i, size_t side, const char **lines)
 {
@@ -309,6 +320,7 @@ bool draw_element_sheet(const struct layout *layout, long number, const char *ti
                                   element_allowed(lens, TOLERANCE_THICKNESS, i, arena)),
         .across =
             arena_printf(arena, "\u00d8 %.5g", fmax(element.diameter[0], element.diameter[1])),
+        .radius = {element_radius(layout, &element, i, 0), element_radius(layout, &element, i, 1)},
         .notes = notes,
     };
     element_outline(layout, &element, &sheet);
