@@ -401,12 +401,17 @@ const char *report_subtitle(const struct report *report, const struct selection 
         struct shown shown;
         struct error ignored;
         const char *option = column->repeats != NULL ? column->repeats : column->with;
-        bool given = (column->flags & COLUMN_ECHO) != 0 && option != NULL &&
-                     !text_lists(titled, text_of(column->name)) &&
+        option = option != NULL ? option : column->name;
+        const bool echoes = (column->flags & COLUMN_ECHO) != 0 || option == column->name;
+        bool given = echoes && !text_lists(titled, text_of(column->name)) &&
                      selection->given(selection->asked, option) &&
                      !selection->varied(selection->asked, option);
         if (given && report_find_column(report->sheet, text_of(column->name), report->arena, &shown,
                                         &ignored)) {
+            struct column *typed = ARENA_ARRAY(report->arena, 1, struct column);
+            *typed = *shown.column;
+            typed->flags |= COLUMN_ECHO; /* as it was typed */
+            shown.column = typed;
             line = add_words(report, line, &shown, row);
             told_names[told_count++] = column->name;
         }

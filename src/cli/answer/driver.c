@@ -27,9 +27,26 @@ static bool asked_in_rows(const void *asked, const char *option)
     return driver->is_batch && batch_has(&driver->batch, option);
 }
 
-static bool asked_given(const void *asked, const char *option)
+/* The option that a column repeats, called by the column's name; else the name itself. */
+static const char *driver_option_of(const struct driver *driver, const char *name)
+{
+    const struct command *command = driver->command;
+    for (size_t i = 0; i < command->option_count; i++) {
+        const char *column = command->options[i].column;
+        if (strcmp(command->options[i].name, name) == 0) {
+            return name;
+        }
+        if (column != NULL && strcmp(column, name) == 0) {
+            return command->options[i].name;
+        }
+    }
+    return name;
+}
+
+static bool asked_given(const void *asked, const char *name)
 {
     const struct driver *driver = asked;
+    const char *option = driver_option_of(driver, name);
     return arguments_given(&driver->arguments, option) || asked_in_rows(asked, option);
 }
 
@@ -40,9 +57,10 @@ static bool asked_brings(const void *asked, const char *option)
            (driver->command->brings != NULL && driver->command->brings(driver->input, option));
 }
 
-static bool asked_varied(const void *asked, const char *option)
+static bool asked_varied(const void *asked, const char *name)
 {
     const struct driver *driver = asked;
+    const char *option = driver_option_of(driver, name);
     return sweep_axis(&driver->sweep, option) != NULL ||
            (driver->command->varies != NULL && driver->command->varies(driver->input, option)) ||
            asked_in_rows(asked, option);
