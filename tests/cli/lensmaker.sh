@@ -30,3 +30,6 @@ lenscalc lensmaker --r1 50 --r2 -50 -n 1.5 -d -1
 lenscalc lensmaker --ball -d 10 -n 1.5 --r1 5
 lenscalc lensmaker --ball -d 10
 ls
+# a focal length that is drawn is none of the title
+lenscalc lensmaker --r1 20..200:20 --r2 -100 --thickness 5 --index 1.5 --plot focal.svg > /dev/null &&
+    grep -o '>Focal length of[^<]*<\|>second radius[^<]*<' focal.svg

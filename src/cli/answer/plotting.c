@@ -281,16 +281,19 @@ static const char *plotting_subject(const struct collection *collection,
     const char *subject = NULL;
     for (size_t i = 0; i < collection->sheet->column_count && row != NULL; i++) {
         const struct column *column = &collection->sheet->columns[i];
+        bool plotted = false;
+        for (size_t k = 0; k < layout->shown_count; k++) {
+            plotted = plotted || layout->shown[k].column == column;
+        }
         if (strcmp(column->name, "lens") == 0 && column->type == COLUMN_TEXT &&
             !row_is_absent(row, column)) {
             return row_text(row, column);
         }
-        if (strcmp(column->name, "focal") == 0 && (column->flags & COLUMN_ECHO) != 0 &&
+        if (strcmp(column->name, "focal") == 0 && (column->flags & COLUMN_ECHO) != 0 && !plotted &&
             isfinite(row_number(row, column))) {
             subject = arena_printf(collection->arena, "%.3g mm lens", row_number(row, column));
         }
     }
-    (void)layout;
     return subject;
 }
 
