@@ -18,3 +18,4 @@ lenscalc check
 lenscalc check double-gauss --plot check.svg > /dev/null && grep -c '<path\|<poly' check.svg
 lenscalc check double-gauss -N 2,4 --plot no.svg --csv --columns quantity | tail -1
 test -e no.svg || echo none
+lenscalc check double-gauss --plot check.svg > /dev/null && grep -o '>[^<]*focal[^<]*<\|>working[^<]*<' check.svg

@@ -367,16 +367,6 @@ static bool check_curves_at(void *context, double x, double *y)
     return true;
 }
 
-/* "exit pupil" for exit_pupil. */
-static const char *check_label(const char *name, struct arena *arena)
-{
-    char *label = arena_string(arena, name, strlen(name));
-    for (char *at = label; *at != '\0'; at++) {
-        *at = *at == '_' ? ' ' : *at;
-    }
-    return label;
-}
-
 static bool check_draw(const struct artifact_job *job, struct output *sink, struct error *error)
 {
     const struct check_input *input = job->inputs[0];
@@ -412,8 +402,8 @@ static bool check_draw(const struct artifact_job *job, struct output *sink, stru
             continue;
         }
         compared.quantity[compared.count++] = what;
-        series[plot.series_count] = (struct plot_series){
-            .label = check_label(names[quantity].name, arena), .style = plot.series_count};
+        series[plot.series_count] =
+            (struct plot_series){.label = names[quantity].words, .style = plot.series_count};
         plot.series_count++;
     }
     double *samples[CHECK_QUANTITIES];
