@@ -25,3 +25,6 @@ lenscalc mtf double-gauss -N 5.6 --field 0,14 -w d --square --csv --digits 4 --c
 lenscalc mtf double-gauss -N 5.6 --field 0 -w d --square --pitch 6um --frequency 0,40 --json --digits 3
 lenscalc mtf double-gauss -N 5.6 --field 0 -w d --square --method geometric --frequency 10 --csv --digits 3 --columns tangential,warning
 lenscalc mtf double-gauss -N 8 -w d --field 0 --square --plot bars.svg > rows && grep -o '>[^<>]*</text>' bars.svg | sed 's/^>//; s/<.*//' | grep -v '^[−0-9.]*$'
+# through focus curves are called by their fields, in the order of these; what all share is in the subtitle
+lenscalc mtf double-gauss -N 5.6 -w d --field 0,7,14 --frequency 30 --defocus -0.1..0.1#5 --plot focus.svg >/dev/null &&
+    grep -o '>[TS][, S]* [0-9]*°[^<]*<\|f/5.6[^<]*' focus.svg

@@ -490,6 +490,22 @@ size_t analysis_values_of(const struct artifact_job *job, size_t offset, size_t 
     return count;
 }
 
+struct analysis_case analysis_case_named(const struct artifact_job *job,
+                                         const struct analysis_case *one,
+                                         struct analysis_question *question)
+{
+    struct analysis_case named = *one;
+    *question = *one->question;
+    if (ANALYSIS_VALUES_OF(job, struct analysis_input, question.wavelength.wavelength) <= 1) {
+        question->wavelength.name = NULL;
+    }
+    if (ANALYSIS_VALUES_OF(job, struct analysis_input, question.fnumber) <= 1) {
+        question->fnumber = NAN;
+    }
+    named.question = question;
+    return named;
+}
+
 int analysis_ascending(const void *first, const void *second)
 {
     const double a = *(const double *)first, b = *(const double *)second;

@@ -143,6 +143,16 @@ const char *analysis_place_words(const struct field_point *at, struct arena *are
 const char *analysis_field_words(const struct analysis_case *one, size_t field, bool several,
                                  struct arena *arena);
 
+/*
+ * The case as curves are called by: without the wavelength and the f-number that all inputs of a
+ * job share, which its subtitle says.
+ *
+ * Given     question  room for that of the result
+ */
+struct analysis_case analysis_case_named(const struct artifact_job *job,
+                                         const struct analysis_case *one,
+                                         struct analysis_question *question);
+
 /* The wavelengths of a setup with their weights: "587.6 nm x 1, 486.1 nm x 0.5"; null: one. */
 const char *analysis_spectrum_words(const struct setup *setup);
 

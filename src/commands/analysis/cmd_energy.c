@@ -272,7 +272,9 @@ static bool energy_drawing_add(struct energy_drawing *drawing, const struct anal
         series->dash = dashes[k];
     }
     struct plot_series *first = &drawing->series[drawing->count - kinds];
-    first->label = analysis_field_words(at->one, at->field, true, arena);
+    struct analysis_question question;
+    const struct analysis_case named = analysis_case_named(drawing->job, at->one, &question);
+    first->label = analysis_field_words(&named, at->field, true, arena);
     if (kinds == KINDS) {
         first[2].label = "limit";
         first[2].style = CURVES_MOST - 1;

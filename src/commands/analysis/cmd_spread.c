@@ -125,6 +125,7 @@ enum { CURVES_MOST = 7, POINTS = 301 };
 
 /* Two curves of each case, tangential and sagittal. */
 struct spread_drawing {
+    const struct artifact_job *job;
     struct arena *arena;
     int draws;
     double farthest; /* NaN: as far as is usual */
@@ -158,8 +159,10 @@ static bool spread_drawing_add(struct spread_drawing *drawing, const struct anal
         }
     }
     const size_t style = drawing->count / MTF_DIRECTIONS;
+    struct analysis_question question;
+    const struct analysis_case named = analysis_case_named(drawing->job, at->one, &question);
+    const char *name = analysis_field_words(&named, at->field, true, arena);
     for (size_t k = 0; k < MTF_DIRECTIONS; k++) {
-        const char *name = analysis_field_words(at->one, at->field, true, arena);
         drawing->series[drawing->count++] =
             (struct plot_series){.label = arena_printf(arena, "%s %s", directions[k], name),
                                  .x = x,
@@ -177,7 +180,7 @@ static bool spread_drawing_add(struct spread_drawing *drawing, const struct anal
 static bool spread_figure(const struct artifact_job *job, struct output *sink, struct error *error)
 {
     struct svg svg = {.arena = job->run->arena};
-    struct spread_drawing drawing = {.arena = svg.arena, .farthest = NAN};
+    struct spread_drawing drawing = {.job = job, .arena = svg.arena, .farthest = NAN};
     const double first = ((const struct spread_input *)job->inputs[0])->offset;
     for (size_t i = 0; i < job->count; i++) {
         drawing.farthest =

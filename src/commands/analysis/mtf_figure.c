@@ -66,6 +66,7 @@ struct figure_entry {
     double x, contrast[MTF_DIRECTIONS], limit;
     bool is_between;          /* of what was asked for */
     const char *label, *lens; /* of its curve */
+    size_t rank;              /* of the curve, as they come */
 };
 
 struct figure_painter {
@@ -92,7 +93,13 @@ static struct figure_entry *new_entry(struct figure_painter *painter,
         return NULL;
     }
     struct figure_entry *entry = &painter->list[painter->count++];
+    size_t same = 0, most = 0; /* an entry of the same curve; ranks up to now */
+    while (same + 1 < painter->count && strcmp(painter->list[same].label, place->label) != 0) {
+        most = painter->list[same].rank >= most ? painter->list[same].rank + 1 : most;
+        same++;
+    }
     *entry = *place;
+    entry->rank = same + 1 < painter->count ? painter->list[same].rank : most;
     return entry;
 }
 
@@ -238,9 +245,8 @@ static bool figure_add(struct figure_painter *painter, const struct analysis_cur
     struct arena *arena = painter->arena;
     const struct analysis_point point = analysis_point_of(one, at->field);
     const double frequency = painter->input->frequency;
-    struct analysis_question question = *one->question;
-    struct analysis_case named = *one;
-    named.question = &question;
+    struct analysis_question question;
+    const struct analysis_case named = analysis_case_named(painter->job, one, &question);
     question.defocus = painter->axis == BY_FOCUS ? (double)NAN : question.defocus;
     struct figure_entry place = {
         .label = analysis_field_words(&named, at->field, painter->job->count > 1, arena),
@@ -325,8 +331,8 @@ static double *figure_place_of(const struct figure_painter *painter, struct mtf_
 static int entry_order(const void *first, const void *second)
 {
     const struct figure_entry *a = first, *b = second;
-    const int by_label = strcmp(a->label, b->label);
-    return by_label != 0 ? by_label : (a->x > b->x) - (a->x < b->x);
+    const int by_curve = (a->rank > b->rank) - (a->rank < b->rank);
+    return by_curve != 0 ? by_curve : (a->x > b->x) - (a->x < b->x);
 }
 
 /* Is the curve bent at the second of three entries, as far as is seen? */
