@@ -238,7 +238,7 @@ static void barrel_draw_mark(struct svg *svg, double x, const char *text, enum s
                                     .y = FIXED_TOP + 42,
                                     .size = 15,
                                     .anchor = anchor,
-                                    .colour = chosen ? BLUE : "#222",
+                                    .colour = chosen ? "#000" : "#222",
                                     .bold = chosen};
     svg_line(svg, x, FIXED_TOP, x, FIXED_TOP + (text ? 22 : 12));
     svg_text(svg, &label, text);

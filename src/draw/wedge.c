@@ -426,7 +426,7 @@ static void wedge_draw_legend(struct svg *svg, const struct wedge *wedge)
          angle_words(arena, "near limit", wedge->A_near, B)},
         {{.stroke = ORANGE, .width = 1.4, .dash = "2 3"},
          angle_words(arena, "far limit", wedge->A_far, B)},
-        {{.fill = TINT, .opacity = 0.35}, "sharp enough"},
+        {{.fill = TINT, .opacity = 0.22}, "sharp enough"},
         {{.stroke = GREY, .width = 1.2, .dash = "6 4"}, "lens plane, sensor plane, extended"},
         {{.stroke = RED, .width = 4}, depth_words(arena, "hinge line", wedge->hinge)},
         {{.stroke = BLACK, .width = 4}, depth_words(arena, "Scheimpflug line", wedge->scheimpflug)},
@@ -494,7 +494,7 @@ bool wedge_draw(const struct wedge *wedge, struct svg *svg, struct error *error)
         x[i] = view_x(&view, area.u[i]);
         y[i] = view_y(&view, area.y[i]);
     }
-    svg_styled_polygon(svg, &(struct svg_style){.fill = TINT, .opacity = 0.35}, x, y, area.count);
+    svg_styled_polygon(svg, &(struct svg_style){.fill = TINT, .opacity = 0.22}, x, y, area.count);
     /* Lens plane, sensor plane and plane of focus run together in the Scheimpflug line. */
     double v = wedge->image, down = -wedge->scheimpflug, J = -wedge->hinge;
     double top = copysign(wedge->sensor_height, wedge->hinge);
