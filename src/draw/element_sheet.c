@@ -57,7 +57,7 @@ static double sheet_outline_at(const double *x, const double *y, size_t count, d
     return found;
 }
 
-/* The radius of a surface: an arrow that meets it square from outside, on a line under its words. */
+/* The radius of a surface: an arrow square to it from outside, and a line under its words. */
 static void sheet_draw_radius(const struct element_sheet *sheet, size_t side, const double *x,
                               const double *y, double half, double limit, struct svg *svg)
 {

@@ -94,6 +94,7 @@ refract --after 1.5 -R 50 -y 1..40 --plot {}
 report double-gauss -o {}
 seidel double-gauss --plot {}
 seidel nikkor-z-14-24 --position wide --plot {}
+seidel double-gauss --order 5 --plot {}
 sag double-gauss --plot {}
 spot double-gauss --plot {}
 spot double-gauss --defocus -0.1..0.1#3 --plot {}

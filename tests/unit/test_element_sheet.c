@@ -25,7 +25,7 @@ static void outline(double *z, double *y)
     }
 }
 
-/* The black triangle that follows: its tip, and the middle of its other side. Null: there is none. */
+/* The black triangle that follows: its tip, the middle of its other side; null: there is none. */
 static const char *next_arrow(const char *from, double tip[2], double behind[2])
 {
     const char *at = strstr(from, "<g fill=\"#000000\" stroke=\"none\">");
