@@ -37,6 +37,10 @@ static void add_variable(struct under_test *test, const char *name)
                                   .low = -INFINITY,
                                   .high = INFINITY,
                                   .name = name};
+    if (length == 2 && strncmp(name, "n0", 2) == 0) { /* that of the object's medium */
+        variable->what = (struct parameter){.surface = LENS_NONE, .kind = PARAMETER_INDEX};
+        return;
+    }
     CHECK(parameter_read((struct text){name, length}, NULL, &variable->what, &error));
 }
 

@@ -168,35 +168,51 @@ static void check_values(void)
     CHECK(got[rays + SIMPLE] > 1e-4);
 }
 
-/* A lens with a mirror behind glass, which light passes twice: errors of its medium. */
-static void check_mirror(void)
+/* A lens with a mirror behind glass, which light passes twice. */
+static const char mirror[] = "wavelength d F C\n"
+                             "object inf\n"
+                             "aperture epd 20\n"
+                             "field angle 0 1\n"
+                             "focus table\n"
+                             "surface -200 3 1.6/40 25 stop\n"
+                             "surface -300 -3 mirror 25\n"
+                             "surface -200 -110 air 25\n";
+/* An object in oil, whose index says how long the ways of rays begin. */
+static const char oil[] = "wavelength d F C\n"
+                          "object 6\n"
+                          "medium 1.52\n"
+                          "aperture stop\n"
+                          "field height 0 0.4\n"
+                          "focus table\n"
+                          "surface -40 4 1.7/50 -\n"
+                          "surface -9 1 air -\n"
+                          "stop - 1 air 5\n"
+                          "surface 60 4 1.6/60 -\n"
+                          "surface -14 60 air -\n";
+
+/* Errors of the medium behind a surface, or of the object's, which has no Abbe number. */
+static void check_medium(const char *text, size_t surface)
 {
-    static const char text[] = "wavelength d F C\n"
-                               "object inf\n"
-                               "aperture epd 20\n"
-                               "field angle 0 1\n"
-                               "focus table\n"
-                               "surface -200 3 1.6/40 25 stop\n"
-                               "surface -300 -3 mirror 25\n"
-                               "surface -200 -110 air 25\n";
-    static struct perturbation media[] = {
+    struct perturbation media[] = {
         {.kind = TOLERANCE_INDEX,
-         .what = {0, PARAMETER_INDEX, 0},
+         .what = {surface, PARAMETER_INDEX, 0},
          .amount = 1e-3,
          .name = "n1",
          .spread = {.distribution = DISTRIBUTION_UNIFORM, .sigmas = DISTRIBUTION_SIGMAS}},
-        {.kind = TOLERANCE_ABBE,
-         .what = {0, PARAMETER_ABBE, 0},
-         .amount = 0.4,
+        {.kind = surface == LENS_NONE ? TOLERANCE_INDEX : TOLERANCE_ABBE,
+         .what = {surface, surface == LENS_NONE ? PARAMETER_INDEX : PARAMETER_ABBE, 0},
+         .amount = surface == LENS_NONE ? 2e-3 : 0.4,
          .name = "V1",
          .spread = {.distribution = DISTRIBUTION_UNIFORM, .sigmas = DISTRIBUTION_SIGMAS}},
         {.kind = TOLERANCE_FOCUS, .what.kind = PARAMETER_KINDS, .amount = 0.1, .name = "focus"},
     };
     enum { MEDIA = 2, PLANE = 2, ALL = 3 };
-    static struct bench bench = {.list = media, .count = MEDIA};
-    static struct made made = {.bench = {.list = media, .count = ALL}};
+    static struct bench bench;
+    static struct made made;
     static double got[MOST];
     struct error error = {.code = ERROR_NONE};
+    bench = (struct bench){.list = media, .count = MEDIA};
+    made = (struct made){.bench = {.list = media, .count = ALL}};
     if (!open_bench(&bench, text, OPERAND_ASBUILT, NULL, 0) ||
         !open_bench(&made.bench, text, OPERAND_POLY, NULL, 0)) {
         return;
@@ -318,7 +334,8 @@ int main(void)
     arena = (struct arena){0};
     set_list();
     check_values();
-    check_mirror();
+    check_medium(mirror, 0);
+    check_medium(oil, LENS_NONE);
     check_form();
     check_image();
     check_slopes();

@@ -45,7 +45,9 @@ static void check_derivatives(void)
                                     "aperture na 0.02\nfocus paraxial\nmedium 1.1\n"
                                     "surface 40 6 1.6 -\nsurface - 3 1.2 -\nstop - 2 1.2 -\n"
                                     "surface -60 5 1.8 - k=2 A4=1e-5\nsurface 90 60 1.1 -\n";
-    check_lens(near, "R1 t2 n4 A4_4", &stop, OPERAND_SPOT);
+    check_lens(near, "n0 R1 t2 n4 A4_4", &stop, OPERAND_SPOT);
+    check_lens(near, "n0", &entrance, OPERAND_SPOT);
+    check_lens(near, "n0", &stop, OPERAND_OPD);
     check_lens(near, "R1 t2 n4 A4_4", &entrance, OPERAND_POLY);
     check_lens(near, "R1 t2 n4 A4_4", &stop, OPERAND_OPD);
     static const char *const near_image = "object 150\nfield image 0 4\naperture na 0.02\n"

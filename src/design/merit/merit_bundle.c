@@ -474,6 +474,9 @@ bool merit_bundle_aim(struct merit_bundle *bundle, const struct lens *lens,
         if (bundle->has_disc) {
             bundle->first.entrance_pupil = 0;
         }
+        for (size_t i = 0; i < bundle->wish.field_count; i++) {
+            bundle->beams[i].n = fabs(first->index_object.value); /* as it is now */
+        }
         stop_radius = fabs(first->stop_radius.value);
         image = bundle->image_moves ? first->image.value : image;
     }
