@@ -41,6 +41,9 @@ static void test_mired(void)
     CHECK(!mired_shift(100, 5500, &x, &error));
     CHECK_TEXT(error.message, "colour temperature 100 K lies outside 500 to 100000 K");
     CHECK(!mired_shift(5500, 1e6, &x, &error));
+    CHECK(mired_filtered(10000, -99, &x, &error)); /* 1 of 100 mired is left */
+    CHECK_RELATIVE(x, 1e6, 1e-12, "1 mired");
+    CHECK(!mired_filtered(10000, -100, &x, &error));
     CHECK(!mired_filtered(10000, -131, &x, &error));
     CHECK(strstr(error.message, "bluer than any") != NULL);
 }

@@ -132,6 +132,70 @@ static void check_wedge(void)
     arena_free(&arena);
 }
 
+/* What has moved is written by what it is now, not by what was typed; the rest as it was typed. */
+static void check_typed(void)
+{
+    static const char text[] = "wavelength d\nobject inf\naperture epd 4\nfield angle 0\n"
+                               "focus table\nstop - 1 air -\n"
+                               "surface 50 5 1.5 20 decenter=0.25,0.50 tilt=1.0,2.00\n"
+                               "surface -50 2 air 20 decenter=0.250,0.5 tilt=1.50,2.0\n"
+                               "surface 60 3 1.6 20 decenter=0.10,0.20\n"
+                               "surface -60 50 air 20\n";
+    static struct under_test test;
+    const double errors[] = {1};
+    test = (struct under_test){.lens = lens_of(text, &arena)};
+    test.question.perturbation_count = 1;
+    test.list[0] = (struct perturbation){.kind = TOLERANCE_ELEMENT_DECENTER,
+                                         .first = 1,
+                                         .last = 2,
+                                         .what.kind = PARAMETER_KINDS,
+                                         .axis = PERTURBATION_X,
+                                         .amount = 0.125,
+                                         .name = "decentre"};
+    if (!open_test(&test) || !try(&test, errors)) {
+        return;
+    }
+    const struct lens *made = &test.tolerance.perturbed.lenses[0].lens;
+    for (size_t i = 1; i < 4; i++) {
+        const struct displacement *at = made->surfaces[i].decentre;
+        const struct displacement *was = test.lens.surfaces[i].decentre;
+        for (int k = 0; k < 2; k++) {
+            CHECK((at->decenter[k].typed.length == 0) == (i < 3));
+            CHECK((at->tilt[k].typed.length == 0) == (i < 3 || was->tilt[k].typed.length == 0));
+        }
+        CHECK_NEAR(at->decenter[0].value.hi, was->decenter[0].value.hi + (i < 3 ? 0.125 : 0), 1e-15,
+                   "x");
+        CHECK_NEAR(at->decenter[1].value.hi, was->decenter[1].value.hi, 1e-15, "y");
+    }
+    CHECK(test.lens.surfaces[1].decentre->decenter[0].typed.length == 4);
+    arena_free(&arena);
+}
+
+/* Rays that miss a lens far off its axis: no figures, and why; the next lens is as it was. */
+static void check_lost(enum tolerance_refocus refocus)
+{
+    static struct under_test test;
+    const double errors[] = {1}, none[] = {0};
+    test = (struct under_test){.lens = lens_of(double_gauss, &arena)};
+    test.question.perturbation_count = 1;
+    test.question.refocus = refocus;
+    test.list[0] = (struct perturbation){.kind = TOLERANCE_ELEMENT_DECENTER,
+                                         .first = 2,
+                                         .last = 4,
+                                         .what.kind = PARAMETER_KINDS,
+                                         .axis = PERTURBATION_Y,
+                                         .amount = 300,
+                                         .name = "decentre"};
+    if (open_test(&test)) {
+        CHECK(!tolerance_trial(&test.tolerance, errors, &test.trial));
+        CHECK(test.trial.why.code == ERROR_DOMAIN && test.trial.why.message[0] != '\0');
+        try(&test, none);
+        CHECK(memcmp(test.figures, test.tolerance.nominal,
+                     test.tolerance.figure_count * sizeof(double)) == 0);
+    }
+    arena_free(&arena);
+}
+
 /* An element that turns about the centre of one of its surfaces leaves that one where it was. */
 static void check_pivot(void)
 {
@@ -521,6 +585,9 @@ int main(void)
     check_trials(CRITERION_BORESIGHT, REFOCUS_BEST, false);
     check_trials(CRITERION_COLOR, REFOCUS_BEST, false);
     check_wedge();
+    check_typed();
+    check_lost(REFOCUS_BEST);
+    check_lost(REFOCUS_PARAXIAL);
     check_pivot();
     check_turned();
     check_lines();
