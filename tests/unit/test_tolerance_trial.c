@@ -155,7 +155,7 @@ static void check_typed(void)
     if (!open_test(&test) || !try(&test, errors)) {
         return;
     }
-    const struct lens *made = &test.tolerance.perturbed.lenses[0].lens;
+    const struct lens *made = tolerance_lens(&test.tolerance, &test.trial, &arena);
     for (size_t i = 1; i < 4; i++) {
         const struct displacement *at = made->surfaces[i].decentre;
         const struct displacement *was = test.lens.surfaces[i].decentre;

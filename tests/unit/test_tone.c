@@ -407,6 +407,26 @@ static void test_colours(void)
     CHECK(toned.clipped == 1);
 }
 
+/* What has no luminance, whatever its channels are, is black in all of them. */
+static void test_black(void)
+{
+    for (int as_light = 0; as_light < 2; as_light++) {
+        float pixels[] = {-5, 1, 3, 3, -1.5F, 2, 10, 10, 10};
+        struct image image = {.width = 3, .height = 1, .channels = 3, .pixels = pixels};
+        const struct tone_way way = {.operation = TONE_LINEAR,
+                                     .white = 50,
+                                     .as_light = as_light != 0,
+                                     .display = {0.5, 100}};
+        const struct foveal foveal = places((double[]){1, 2}, 2);
+        struct toned toned;
+        CHECK(tone_show(&way, &foveal, &image, arena, &toned, &error));
+        for (int i = 0; i < 6; i++) {
+            CHECK_NEAR((double)pixels[i], as_light ? 0.5 : 0, 1e-6, "black");
+        }
+        CHECK(pixels[6] > 0.1F);
+    }
+}
+
 /* Whole numbers of a file of 8 and of 16 bits, and how many are the highest. */
 static void test_codes(void)
 {
@@ -498,6 +518,7 @@ int main(void)
     test_strips();
     test_one_pixel();
     test_colours();
+    test_black();
     test_codes();
     test_merge_floats();
     test_fade();
