@@ -36,4 +36,13 @@ for swept in '--field 0..14:7 --spectrum d,F' '--field 0,14 -N 5.6,8 --defocus -
 done
 lenscalc wavefront double-gauss -N 8 --field 0..14:7 --defocus -0.1..0.1#40 -w 400..700:10 --columns field --curve many.svg > rows; test -e many.svg || echo none
 lenscalc wavefront double-gauss -N 8 --field 14 --spectrum F:0,d:1 --csv --digits 4 --columns rms,strehl
-lenscalc wavefront double-gauss laikin45-achromat -N 8 --field 0,0.5 --curve none.svg
+# of two lenses the curves are called by them, and the title has none
+for curve in 'laikin45-achromat -N 8 --field 0..1:0.5 --columns strehl' '-N 8 --field 0..14:7 --zernike fringe --terms 9 --across --columns c5,c9_waves' '-N 8 --field 14 --defocus -0.1..0.1#5 --reference chief,best' '-N 8 -w 450..650:50 --field 14 --zernike ansi --terms 5 --across'; do
+    lenscalc wavefront double-gauss $curve --curve curve.svg > rows && grep -o '>[^<>]*</text>' curve.svg | sed 's/^>//; s/<.*//' | grep -v '^[−0-9.]*$'
+done
+lenscalc wavefront double-gauss -N 8 --field 0,14 --zernike noll --terms 5 --across --csv --columns field,c1,c2,c3,c4,c5,c6,residual_waves
+lenscalc wavefront double-gauss -N 8 --field 0 --zernike noll --terms 38 --across
+lenscalc wavefront double-gauss -N 8 --field 0..14:7 --zernike noll --curve none.svg
+lenscalc wavefront double-gauss -N 8 --field 0..14:7 --columns rms,strehl --curve none.svg > rows
+lenscalc wavefront double-gauss -N 8 --field 0..14:7 --zernike noll --across --curve none.svg > rows
+lenscalc wavefront double-gauss -N 8 --field 0..14:7 --aim stop,entrance --curve none.svg > rows

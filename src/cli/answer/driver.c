@@ -186,6 +186,7 @@ static bool order_artifacts(struct driver *driver, struct error *error)
                                              .is_inside = driver->is_inside,
                                              .is_text = driver->report.format == &format_text,
                                              .asking = &driver->asking,
+                                             .report = &driver->report,
                                              .run = &driver->run,
                                              .arena = &driver->arena};
     return artifacts_order(&driver->artifacts, &setting,

@@ -284,6 +284,7 @@ static bool artifact_order(struct artifacts *artifacts, const struct artifact_se
         return false;
     }
     job.asking = setting->asking;
+    job.report = setting->report;
     job.is_forced = setting->common->force;
     job.dress = (struct svg_dress){(enum palette_theme)setting->common->theme,
                                    setting->common->title, setting->common->subtitle};

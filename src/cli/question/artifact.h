@@ -11,6 +11,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+struct report;
 struct run;
 struct sweep;
 struct arguments;
@@ -64,8 +65,9 @@ struct artifact_job {
     bool is_forced;         /* what is kept is written over */
     struct svg_dress dress; /* of what is drawn */
     const struct option_query *asking;
-    struct run *run;     /* arena, database, and `state` as the command's `run` left it */
-    const void *context; /* the driver's own */
+    const struct report *report; /* the columns of the rows */
+    struct run *run;             /* arena, database, and `state` as the command's `run` left it */
+    const void *context;         /* the driver's own */
 };
 
 struct artifact {
@@ -141,6 +143,7 @@ struct artifact_setting {
     bool is_inside; /* sinks stay in memory */
     bool is_text;   /* rows are printed as a table for reading */
     const struct option_query *asking;
+    const struct report *report;
     struct run *run;
     struct arena *arena;
 };

@@ -399,30 +399,38 @@ static const char *wavelengths_words(const struct setup *setup, struct arena *ar
     return ARENA_JOIN(arena, words, " nm");
 }
 
-const char *analysis_figure_words(const struct analysis_case *one, unsigned parts,
-                                  struct arena *arena)
+void analysis_setting_words(const struct analysis_case *one, const char *words[SETTING_WORDS],
+                            struct arena *arena)
 {
     const struct setup *setup = one->setup;
     const double defocus = one->question->defocus, object = one->question->object;
-    const char *list[6], *words = "";
-    size_t count = 0;
-    list[count++] = setup->position;
-    list[count++] = parts & FIGURE_APERTURE ? analysis_aperture_words(&setup->first, arena) : NULL;
-    list[count++] = parts & FIGURE_WAVELENGTHS ? wavelengths_words(setup, arena) : NULL;
-    list[count++] = isnan(object) ? NULL : arena_printf(arena, "object at %.6g mm", object);
-    if (parts & FIGURE_PLANE) {
-        const double plane = setup->image - (isnan(defocus) ? 0 : defocus);
-        const char *focus = setup->focus != NULL ? setup->focus : "none";
-        list[count++] =
-            isnan(plane)
-                ? "image at infinity"
-                : arena_printf(arena, "image plane %s, %.6g mm from the last vertex", focus, plane);
-        list[count++] = isnan(defocus) || !(parts & FIGURE_DEFOCUS)
-                            ? NULL
-                            : arena_printf(arena, "defocus %+.4g mm", defocus + 0.0);
-    }
-    for (size_t i = 0; i < count; i++) {
-        if (list[i] != NULL) {
+    const double plane = setup->image - (isnan(defocus) ? 0 : defocus);
+    const char *focus = setup->focus != NULL ? setup->focus : "none";
+    words[SETTING_POSITION] = setup->position;
+    words[SETTING_APERTURE] = analysis_aperture_words(&setup->first, arena);
+    words[SETTING_WAVELENGTHS] = wavelengths_words(setup, arena);
+    words[SETTING_OBJECT] = isnan(object) ? NULL : arena_printf(arena, "object at %.6g mm", object);
+    words[SETTING_PLANE] =
+        isnan(plane)
+            ? "image at infinity"
+            : arena_printf(arena, "image plane %s, %.6g mm from the last vertex", focus, plane);
+    words[SETTING_DEFOCUS] =
+        isnan(defocus) ? NULL : arena_printf(arena, "defocus %+.4g mm", defocus + 0.0);
+}
+
+const char *analysis_figure_words(const struct analysis_case *one, unsigned parts,
+                                  struct arena *arena)
+{
+    static const unsigned wanted[SETTING_WORDS] = {[SETTING_POSITION] = ~0u,
+                                                   [SETTING_APERTURE] = FIGURE_APERTURE,
+                                                   [SETTING_WAVELENGTHS] = FIGURE_WAVELENGTHS,
+                                                   [SETTING_OBJECT] = ~0u,
+                                                   [SETTING_PLANE] = FIGURE_PLANE,
+                                                   [SETTING_DEFOCUS] = FIGURE_DEFOCUS};
+    const char *list[SETTING_WORDS], *words = "";
+    analysis_setting_words(one, list, arena);
+    for (size_t i = 0; i < SETTING_WORDS; i++) {
+        if (list[i] != NULL && (parts & wanted[i]) != 0) {
             words = ARENA_JOIN(arena, words, words[0] != '\0' ? "; " : "", list[i]);
         }
     }
@@ -488,22 +496,6 @@ size_t analysis_values_of(const struct artifact_job *job, size_t offset, size_t 
         count += k == i;
     }
     return count;
-}
-
-struct analysis_case analysis_case_named(const struct artifact_job *job,
-                                         const struct analysis_case *one,
-                                         struct analysis_question *question)
-{
-    struct analysis_case named = *one;
-    *question = *one->question;
-    if (ANALYSIS_VALUES_OF(job, struct analysis_input, question.wavelength.wavelength) <= 1) {
-        question->wavelength.name = NULL;
-    }
-    if (ANALYSIS_VALUES_OF(job, struct analysis_input, question.fnumber) <= 1) {
-        question->fnumber = NAN;
-    }
-    named.question = question;
-    return named;
 }
 
 int analysis_ascending(const void *first, const void *second)

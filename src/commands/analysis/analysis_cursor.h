@@ -119,6 +119,19 @@ const char *analysis_case_words(const struct analysis_case *one, struct arena *a
 /* "f/2.8", "f/2.8 (working f/5.6)"; of an afocal lens "entrance pupil 35 mm"; null: not known. */
 const char *analysis_aperture_words(const struct first_order *first, struct arena *arena);
 
+/* The words of figures about a case, in their order. */
+enum setting_word {
+    SETTING_POSITION,    /* "wide" */
+    SETTING_APERTURE,    /* "f/4" */
+    SETTING_WAVELENGTHS, /* "486.1, 587.6, 656.3 nm" */
+    SETTING_OBJECT,      /* "object at 500 mm" */
+    SETTING_PLANE,       /* "image plane paraxial, 36.11 mm from the last vertex" */
+    SETTING_DEFOCUS,     /* "defocus +0.1 mm" */
+    SETTING_WORDS
+};
+void analysis_setting_words(const struct analysis_case *one, const char *words[SETTING_WORDS],
+                            struct arena *arena);
+
 /* What figures state of their case, joined by |. */
 enum figure_part {
     FIGURE_APERTURE = 1,
@@ -142,16 +155,6 @@ const char *analysis_place_words(const struct field_point *at, struct arena *are
 /* The same with its position, and of several questions with what was asked: "14°, f/4". */
 const char *analysis_field_words(const struct analysis_case *one, size_t field, bool several,
                                  struct arena *arena);
-
-/*
- * The case as curves are called by: without the wavelength and the f-number that all inputs of a
- * job share, which its subtitle says.
- *
- * Given     question  room for that of the result
- */
-struct analysis_case analysis_case_named(const struct artifact_job *job,
-                                         const struct analysis_case *one,
-                                         struct analysis_question *question);
 
 /* The wavelengths of a setup with their weights: "587.6 nm x 1, 486.1 nm x 0.5"; null: one. */
 const char *analysis_spectrum_words(const struct setup *setup);

@@ -1,7 +1,7 @@
 /* commands/analysis/cmd_energy.c - lenscalc energy: light within circles and squares. */
 /* SPDX-License-Identifier: MIT */
 #include "analysis/image/psf_energy.h"
-#include "commands/analysis/analysis_cursor.h"
+#include "commands/analysis/figure_captions.h"
 #include "draw/plot.h"
 #include "draw/ticks.h"
 
@@ -220,9 +220,10 @@ struct energy_drawing {
     struct arena *arena;
     double farthest; /* NaN: as far as is usual */
     struct plot_series series[KINDS * CURVES_MOST];
-    size_t count, fields;
-    bool is_angular;
-    const char *lens, *subtitle;
+    size_t count;
+    bool is_angular, has_references; /* has_references: both, which legends tell apart */
+    struct captions captions;
+    size_t of[CURVES_MOST]; /* which of its series is the first of each caption */
 };
 
 static bool energy_curve_find(const struct analysis_cursor *at, const struct analysis_case *one,
@@ -237,16 +238,27 @@ static bool energy_drawing_add(struct energy_drawing *drawing, const struct anal
                                struct error *error)
 {
     const struct psf_energy_image *image = at->found;
+    const struct energy_input *input = at->input;
     struct arena *arena = drawing->arena;
     const double end = isnan(drawing->farthest) ? image->usual : drawing->farthest;
     double *x = ARENA_ARRAY(arena, 4 * POINTS, double), *radii = x + 3 * POINTS;
     double *y[KINDS];
     unsigned char *places = ARENA_ARRAY(arena, POINTS, unsigned char);
     struct psf_energy shares[POINTS];
-    if (drawing->fields == CURVES_MOST) {
+    const size_t before = drawing->captions.count;
+    const bool about_chief = input->reference == ENERGY_ABOUT_CHIEF;
+    const char *about = about_chief ? "about the chief ray" : "about the centroid";
+    const size_t caption = captions_add(&drawing->captions, at->one, at->field,
+                                        drawing->has_references || about_chief ? about : NULL);
+    if (caption < before) {
+        return true;
+    }
+    if (caption == CURVES_MOST) {
         return fail(error, ERROR_USAGE, "{--plot} would draw more than %d pairs of curves",
                     CURVES_MOST);
     }
+    drawing->of[caption] = drawing->count;
+    drawing->is_angular = isnan(at->one->setup->image);
     for (size_t i = 0; i < POINTS; i++) {
         radii[i] = end * (double)i / (POINTS - 1);
     }
@@ -261,33 +273,41 @@ static bool energy_drawing_add(struct energy_drawing *drawing, const struct anal
         y[2][i] = 100 * shares[i].limit;
         places[i] = PLOT_BETWEEN;
     }
-    const struct plot_series common = {
-        .x = x, .count = POINTS, .places = places, .style = drawing->fields};
+    const struct plot_series common = {.x = x, .count = POINTS, .places = places, .style = caption};
     static const size_t dashes[KINDS] = {1, 2, 3};
-    const size_t kinds = drawing->fields == 0 ? KINDS : KINDS - 1;
+    const size_t kinds = caption == 0 ? KINDS : KINDS - 1;
     for (size_t k = 0; k < kinds; k++) {
         struct plot_series *series = &drawing->series[drawing->count++];
         *series = common;
         series->y = y[k];
         series->dash = dashes[k];
     }
-    struct plot_series *first = &drawing->series[drawing->count - kinds];
-    struct analysis_question question;
-    const struct analysis_case named = analysis_case_named(drawing->job, at->one, &question);
-    first->label = analysis_field_words(&named, at->field, true, arena);
-    if (kinds == KINDS) {
-        first[2].label = "limit";
-        first[2].style = CURVES_MOST - 1;
-    }
-    drawing->fields++;
     return true;
+}
+
+/* The words of the curves, which what they have in common tells once all are there. */
+static void energy_drawing_label(struct energy_drawing *drawing)
+{
+    const struct captions *captions = &drawing->captions;
+    for (size_t i = 0; i < captions->count; i++) {
+        const char *label = captions_label(captions, i);
+        drawing->series[drawing->of[i]].label = label != NULL ? label : "in circles";
+        drawing->series[drawing->of[i] + 1].label = label != NULL ? NULL : "in squares";
+    }
+    struct plot_series *limit = &drawing->series[KINDS - 1];
+    limit->label = captions_have_settings(captions)
+                       ? ARENA_JOIN(drawing->arena, "limit, ", captions_label(captions, 0))
+                       : "diffraction limit";
+    limit->style = CURVES_MOST - 1;
 }
 
 static bool energy_figure(const struct artifact_job *job, struct output *sink, struct error *error)
 {
     struct svg svg = {.arena = job->run->arena};
-    struct energy_drawing drawing = {.job = job, .arena = svg.arena, .farthest = NAN};
+    struct energy_drawing drawing = {
+        .job = job, .arena = svg.arena, .farthest = NAN, .captions = {.arena = svg.arena}};
     struct energy_input first;
+    drawing.has_references = ANALYSIS_VALUES_OF(job, struct energy_input, reference) > 1;
     memcpy(&first, job->inputs[0], sizeof first);
     for (size_t i = 0; i < job->count; i++) {
         const struct energy_input *input = job->inputs[i];
@@ -309,11 +329,6 @@ static bool energy_figure(const struct artifact_job *job, struct output *sink, s
             &input, &policy, job->run, energy_curve_find, sizeof(struct psf_energy_image));
         at.keeps_lost = true;
         while (energy_next(&at, error)) {
-            drawing.lens = at.one->setup->lens->title;
-            drawing.is_angular = isnan(at.one->setup->image);
-            drawing.subtitle = ARENA_JOIN(
-                svg.arena, input.reference == ENERGY_ABOUT_CHIEF ? "about the chief ray; " : "",
-                analysis_figure_words(at.one, FIGURE_ALL & ~(unsigned)FIGURE_DEFOCUS, svg.arena));
             if (at.lost == NULL && !energy_drawing_add(&drawing, &at, error)) {
                 return false;
             }
@@ -325,12 +340,14 @@ static bool energy_figure(const struct artifact_job *job, struct output *sink, s
     if (drawing.count == 0) {
         return fail(error, ERROR_DOMAIN, "there is no light to draw");
     }
+    energy_drawing_label(&drawing);
     const struct plot plot = {
-        .title = arena_printf(svg.arena, "Encircled energy of %s", drawing.lens),
-        .subtitle = drawing.subtitle,
+        .title = captions_title(&drawing.captions, "Encircled and ensquared energy"),
+        .subtitle = captions_subtitle(&drawing.captions),
         .x_label = drawing.is_angular ? "radius, half the side of squares (mrad)"
                                       : "radius, half the side of squares (\xc2\xb5m)",
-        .y_label = "share of the light (%), dashed: in squares",
+        .y_label = drawing.captions.count > 1 ? "share of the light (%), dashed: in squares"
+                                              : "share of the light (%)",
         .series = drawing.series,
         .series_count = drawing.count};
     return plot_draw(&plot, &svg, error) && drawing_write(job, &svg, sink, error);

@@ -1,7 +1,7 @@
 /* commands/analysis/cmd_spread.c - lenscalc spread: images of lines and edges. */
 /* SPDX-License-Identifier: MIT */
 #include "analysis/image/line_spread.h"
-#include "commands/analysis/analysis_cursor.h"
+#include "commands/analysis/figure_captions.h"
 #include "draw/plot.h"
 
 #include <math.h>
@@ -125,25 +125,28 @@ enum { CURVES_MOST = 7, POINTS = 301 };
 
 /* Two curves of each case, tangential and sagittal. */
 struct spread_drawing {
-    const struct artifact_job *job;
     struct arena *arena;
     int draws;
     double farthest; /* NaN: as far as is usual */
     struct plot_series series[MTF_DIRECTIONS * CURVES_MOST];
     size_t count;
-    const char *lens, *words;
+    struct captions captions;
 };
 
 static bool spread_drawing_add(struct spread_drawing *drawing, const struct analysis_cursor *at,
                                struct error *error)
 {
-    static const char *const directions[] = {[MTF_TANGENTIAL] = "T", [MTF_SAGITTAL] = "S"};
     const struct line_spread_image *image = at->found;
     struct arena *arena = drawing->arena;
     const double end = isnan(drawing->farthest) ? image->usual : drawing->farthest;
     double *x = ARENA_ARRAY(arena, POINTS, double), *y[MTF_DIRECTIONS];
     unsigned char *places = ARENA_ARRAY(arena, POINTS, unsigned char);
-    if (drawing->count == MTF_DIRECTIONS * CURVES_MOST) {
+    const size_t before = drawing->captions.count;
+    const size_t caption = captions_add(&drawing->captions, at->one, at->field, NULL);
+    if (caption < before) {
+        return true;
+    }
+    if (caption == CURVES_MOST) {
         return fail(error, ERROR_USAGE, "{--plot} would draw more than %d pairs of curves",
                     CURVES_MOST);
     }
@@ -158,29 +161,32 @@ static bool spread_drawing_add(struct spread_drawing *drawing, const struct anal
             y[k][i] = drawing->draws == SPREAD_LINE ? spread.line[k] / 1000 : spread.edge[k];
         }
     }
-    const size_t style = drawing->count / MTF_DIRECTIONS;
-    struct analysis_question question;
-    const struct analysis_case named = analysis_case_named(drawing->job, at->one, &question);
-    const char *name = analysis_field_words(&named, at->field, true, arena);
     for (size_t k = 0; k < MTF_DIRECTIONS; k++) {
-        drawing->series[drawing->count++] =
-            (struct plot_series){.label = arena_printf(arena, "%s %s", directions[k], name),
-                                 .x = x,
-                                 .y = y[k],
-                                 .count = POINTS,
-                                 .places = places,
-                                 .style = style,
-                                 .dash = k + 1};
+        drawing->series[drawing->count++] = (struct plot_series){
+            .x = x, .y = y[k], .count = POINTS, .places = places, .style = caption, .dash = k + 1};
     }
-    drawing->lens = at->one->setup->lens->title;
-    drawing->words = analysis_figure_words(at->one, FIGURE_ALL & ~(unsigned)FIGURE_DEFOCUS, arena);
     return true;
+}
+
+/* "T 14°"; of one pair "tangential". */
+static void spread_drawing_label(struct spread_drawing *drawing)
+{
+    static const char *const directions[] = {[MTF_TANGENTIAL] = "T ", [MTF_SAGITTAL] = "S "};
+    static const char *const words[] = {
+        [MTF_TANGENTIAL] = "tangential", [MTF_SAGITTAL] = "sagittal"};
+    for (size_t i = 0; i < drawing->count; i++) {
+        const char *label = captions_label(&drawing->captions, i / MTF_DIRECTIONS);
+        const size_t k = i % MTF_DIRECTIONS;
+        drawing->series[i].label =
+            label != NULL ? ARENA_JOIN(drawing->arena, directions[k], label) : words[k];
+    }
 }
 
 static bool spread_figure(const struct artifact_job *job, struct output *sink, struct error *error)
 {
     struct svg svg = {.arena = job->run->arena};
-    struct spread_drawing drawing = {.job = job, .arena = svg.arena, .farthest = NAN};
+    struct spread_drawing drawing = {
+        .arena = svg.arena, .farthest = NAN, .captions = {.arena = svg.arena}};
     const double first = ((const struct spread_input *)job->inputs[0])->offset;
     for (size_t i = 0; i < job->count; i++) {
         drawing.farthest =
@@ -210,11 +216,12 @@ static bool spread_figure(const struct artifact_job *job, struct output *sink, s
     if (drawing.count == 0) {
         return fail(error, ERROR_DOMAIN, "there is no light to draw");
     }
+    spread_drawing_label(&drawing);
     const bool is_line = drawing.draws == SPREAD_LINE;
     const struct plot plot = {
-        .title =
-            arena_printf(svg.arena, "%s spread of %s", is_line ? "Line" : "Edge", drawing.lens),
-        .subtitle = ARENA_JOIN(svg.arena, "dashed: sagittal; ", drawing.words),
+        .title = captions_title(&drawing.captions,
+                                is_line ? "Line spread function" : "Edge spread function"),
+        .subtitle = captions_subtitle(&drawing.captions),
         .x_label = "distance from the chief ray (\xc2\xb5m)",
         .y_label = is_line ? "share of the light (1/\xc2\xb5m)" : "light of an edge",
         .series = drawing.series,

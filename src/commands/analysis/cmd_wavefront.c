@@ -1,12 +1,27 @@
 /* commands/analysis/cmd_wavefront.c - lenscalc wavefront: figures, Zernike's polynomials. */
 /* SPDX-License-Identifier: MIT */
+#include "analysis/waves/wavefront.h"
+#include "commands/analysis/analysis_curves.h"
 #include "commands/analysis/analysis_map.h"
-#include "commands/analysis/wavefront_curves.h"
 #include "draw/ticks.h"
 
 #include <math.h>
 #include <string.h>
 
+enum { NO_ZERNIKE }; /* else enum zernike_kind + 1 */
+
+struct wavefront_input {
+    struct analysis_question question;
+    int reference, zernike; /* enum wave_about; enum zernike_kind, NO_WORD: none */
+    long terms, size;       /* size: NO_INTEGER = MAP_SIZE, of a drawing DRAWN_SIZE */
+    bool across, fringes;
+};
+
+static const struct analysis_policy policy = {.wavelengths = WAVELENGTHS_PRIMARY,
+                                              .fields = FIELDS_ALL};
+
+/* TERM_COLUMNS: of coefficients that a row has across, from c0 */
+enum { TERM_COLUMNS = 38 };
 enum { MAP_SIZE = 128, DRAWN_SIZE = 256 };
 
 static const struct word references[] = {
@@ -36,6 +51,8 @@ static const struct option options[] = {
     {OPTION(struct wavefront_input, terms), .name = "terms", .lowest = 1, .highest = ZERNIKE_MOST,
      .fallback = "36", .value = "COUNT", .wants = "zernike!=none",
      .help = "number of Zernike terms"},
+    {OPTION(struct wavefront_input, across), .name = "across", .wants = "zernike!=none",
+     .help = "a row a field, its coefficients as columns c1, c2 ..., which --curve draws"},
     {OPTION(struct wavefront_input, size), .name = "size", .lowest = 8, .highest = 2048,
      .value = "COUNT", .wants = "plot|map",
      .help = "points across a map; default 128, of --plot 256"},
@@ -47,7 +64,7 @@ static const struct option options[] = {
 struct wavefront_row {
     struct analysis_point point;
     struct wavefront figures;
-    double radius, coefficient, residual;
+    double radius, coefficient, residual, terms[TERM_COLUMNS];
     long rays, index, n, m;
     const char *reference, *weight, *order;
 };
@@ -90,6 +107,14 @@ static const struct column figure_columns[] = {
     TAIL_COLUMNS,
 };
 
+#define RESIDUAL_COLUMNS                                                                           \
+    ENTRY(PLAIN(residual, COLUMN_BRIEF), .name = "residual_waves", .label = "residual, waves",     \
+          .help = "root mean square that all of them leave"),                                      \
+        RADIUS_COLUMN,                                                                             \
+        ENTRY(PLAIN(rays, COLUMN_HIDDEN), .name = "rays", .help = "that are fitted"),              \
+        ENTRY(PLAIN(order, COLUMN_ASSUMED), .name = "order", .depends = "zernike",                 \
+              .label = "polynomials", .help = "their order and what has the size 1")
+
 static const struct column coefficient_columns[] = {
     ANALYSIS_ROW_COLUMNS,
     {PLAIN(index, COLUMN_BRIEF), .name = "index",
@@ -99,25 +124,46 @@ static const struct column coefficient_columns[] = {
      .help = "of the angle from +x: cos(m angle), or sin(|m| angle) where it is below 0"},
     {PLAIN(coefficient, COLUMN_BRIEF), .name = "coefficient_waves", .label = "coefficient, waves",
      .symbol = "c", .help = "in wavelengths"},
-    {PLAIN(residual, COLUMN_BRIEF), .name = "residual_waves", .label = "residual, waves",
-     .help = "root mean square that all of them leave"},
-    RADIUS_COLUMN,
-    {PLAIN(rays, COLUMN_HIDDEN), .name = "rays", .help = "that are fitted"},
-    {PLAIN(order, COLUMN_ASSUMED), .name = "order", .depends = "zernike", .label = "polynomials",
-     .help = "their order and what has the size 1"},
+    RESIDUAL_COLUMNS,
+    TAIL_COLUMNS,
+};
+
+#define TERM(k)                                                                                    \
+    ENTRY(PLAIN(terms[k], COLUMN_BRIEF | COLUMN_SPARSE), .name = "c" #k "_waves",                  \
+          .label = "c" #k ", waves", .symbol = "c" #k, .help = "coefficient of polynomial " #k)
+#define TERMS_OF_FIVE(a, b, c, d, e) TERM(a), TERM(b), TERM(c), TERM(d), TERM(e)
+
+static const struct column across_columns[] = {
+    ANALYSIS_ROW_COLUMNS,
+    TERMS_OF_FIVE(0, 1, 2, 3, 4),
+    TERMS_OF_FIVE(5, 6, 7, 8, 9),
+    TERMS_OF_FIVE(10, 11, 12, 13, 14),
+    TERMS_OF_FIVE(15, 16, 17, 18, 19),
+    TERMS_OF_FIVE(20, 21, 22, 23, 24),
+    TERMS_OF_FIVE(25, 26, 27, 28, 29),
+    TERMS_OF_FIVE(30, 31, 32, 33, 34),
+    TERM(35),
+    TERM(36),
+    TERM(37),
+    RESIDUAL_COLUMNS,
     TAIL_COLUMNS,
 };
 
 static const struct sheet figure_sheet = SHEET(figure_columns, struct wavefront_row);
 static const struct sheet coefficient_sheet = SHEET(coefficient_columns, struct wavefront_row);
-static const struct sheet *const sheets[] = {&figure_sheet, &coefficient_sheet, NULL};
+static const struct sheet across_sheet = SHEET(across_columns, struct wavefront_row);
+static const struct sheet *const sheets[] = {&figure_sheet, &coefficient_sheet, &across_sheet,
+                                             NULL};
 
 static const struct sheet *wavefront_choose_sheet(const void *data,
                                                   const struct option_query *asking)
 {
+    const struct wavefront_input *input = data;
     (void)asking;
-    return ((const struct wavefront_input *)data)->zernike == NO_ZERNIKE ? &figure_sheet
-                                                                         : &coefficient_sheet;
+    if (input->zernike == NO_ZERNIKE) {
+        return &figure_sheet;
+    }
+    return input->across ? &across_sheet : &coefficient_sheet;
 }
 
 /* What is found of a field: figures of the whole, or coefficients. */
@@ -126,6 +172,25 @@ struct wavefront_found {
     struct wavefront figures;
     struct wavefront_fit fit;
 };
+
+static bool wavefront_field_open(const struct analysis_cursor *at, const struct analysis_case *one,
+                                 size_t field, bool is_polychromatic,
+                                 struct wavefront_source *source, struct error *error)
+{
+    const struct wavefront_input *input = at->input;
+    struct arena *arena = one->setup->arena;
+    if (one->setup->wavelength_count > 1 && !is_polychromatic) {
+        return fail(error, ERROR_USAGE,
+                    "{--spectrum}: polynomials and maps are those of one wavelength");
+    }
+    struct wavefront_question *made = ARENA_NEW(arena, struct wavefront_question);
+    const long rays = input->question.rays;
+    *made = (struct wavefront_question){.bundle = analysis_bundle(one, field),
+                                        .about = (enum wave_about)input->reference,
+                                        .rays = rays != NO_INTEGER && rays > 0 ? (size_t)rays : 0,
+                                        .error = input->question.error};
+    return wavefront_open(made, arena, source, error);
+}
 
 static bool wavefront_row_find(const struct analysis_cursor *at, const struct analysis_case *one,
                                size_t field, void *room, struct error *error)
@@ -146,21 +211,12 @@ static bool wavefront_row_find(const struct analysis_cursor *at, const struct an
 }
 
 /* A row a coefficient; false: no more are wanted. */
-static bool wavefront_emit_coefficients(const struct analysis_cursor *at,
-                                        const struct wavefront_found *found,
-                                        struct wavefront_row *row)
+static bool wavefront_emit_coefficients(const struct analysis_cursor *at, struct wavefront_row *row)
 {
-    static const char *const words[] = {
-        [ZERNIKE_NOLL] = "noll, orthonormal over the pupil",
-        [ZERNIKE_FRINGE] = "fringe, each 1 at the edge of the pupil",
-        [ZERNIKE_ANSI] = "ansi (ISO 24157), orthonormal over the pupil"};
     const struct wavefront_input *input = at->input;
-    const enum zernike_kind kind = (enum zernike_kind)(input->zernike - 1);
-    row->order = words[kind];
-    row->residual = found->fit.residual;
-    row->rays = (long)found->fit.rays;
+    const struct wavefront_found *found = at->found;
     for (size_t i = 0; i < (size_t)input->terms; i++) {
-        const struct zernike_term term = zernike_term(kind, i);
+        const struct zernike_term term = zernike_term((enum zernike_kind)(input->zernike - 1), i);
         row->index = term.index;
         row->n = term.n;
         row->m = term.m;
@@ -170,6 +226,23 @@ static bool wavefront_emit_coefficients(const struct analysis_cursor *at,
         }
     }
     return true;
+}
+
+/* What the coefficients of a field have in common, and all of them across. */
+static void wavefront_row_fit(const struct wavefront_input *input,
+                              const struct wavefront_found *found, struct wavefront_row *row)
+{
+    static const char *const words[] = {
+        [ZERNIKE_NOLL] = "noll, orthonormal over the pupil",
+        [ZERNIKE_FRINGE] = "fringe, each 1 at the edge of the pupil",
+        [ZERNIKE_ANSI] = "ansi (ISO 24157), orthonormal over the pupil"};
+    const enum zernike_kind kind = (enum zernike_kind)(input->zernike - 1);
+    row->order = words[kind];
+    row->residual = found->fit.residual;
+    row->rays = (long)found->fit.rays;
+    for (size_t i = 0; i < (size_t)input->terms && input->across; i++) {
+        row->terms[zernike_term(kind, i).index] = found->fit.coefficients[i];
+    }
 }
 
 /* Light that arrives but has no place on the reference sphere takes no part in the figures. */
@@ -185,39 +258,59 @@ static void wavefront_warn_missed(const struct analysis_cursor *at, struct analy
     }
 }
 
+/* The row of the field of a cursor; of a coefficient what all have. */
+static void wavefront_row_fill(const struct analysis_cursor *at, void *room)
+{
+    const struct wavefront_input *input = at->input;
+    const struct wavefront_found *found = at->found;
+    struct wavefront_row *row = room;
+    const bool is_whole = input->zernike == NO_ZERNIKE;
+    analysis_begin_row(at, wavefront_choose_sheet(input, NULL), row);
+    row->weight = analysis_weight_words(&input->question);
+    if (at->lost != NULL) {
+        return;
+    }
+    const struct opd_reference *sphere = &found->source.reference.opd;
+    row->reference =
+        wave_reference_words(at->one, (enum wave_about)input->reference, at->run->arena);
+    row->radius = sphere->is_plane ? INFINITY : sphere->radius;
+    wavefront_warn_missed(at, &row->point, is_whole ? found->figures.missed : found->fit.missed);
+    if (!is_whole) {
+        wavefront_row_fit(input, found, row);
+        return;
+    }
+    const struct wavefront *figures = &found->figures;
+    row->figures = *figures;
+    row->rays = (long)figures->rays;
+    analysis_warn(at, &row->point, lens_island_warning(&figures->islands, at->run->arena));
+    if (found->source.question->rays == 0 && !figures->has_converged) {
+        analysis_warn(at, &row->point, "the wave front has not converged: see its errors");
+    }
+}
+
+static bool wavefront_check_across(const struct wavefront_input *input, struct error *error)
+{
+    const bool from_zero = input->zernike == ZERNIKE_ANSI + 1;
+    const long most = from_zero ? TERM_COLUMNS : TERM_COLUMNS - 1;
+    return !input->across || input->terms <= most ||
+           fail(error, ERROR_USAGE, "{--across} has columns up to c%d: {--terms} at most %ld",
+                TERM_COLUMNS - 1, most);
+}
+
 static bool wavefront_run(const void *data, struct run *run, struct error *error)
 {
     const struct wavefront_input *input = data;
-    struct analysis_cursor at = analysis_begin_finding(
-        input, &wavefront_policy, run, wavefront_row_find, sizeof(struct wavefront_found));
+    if (!wavefront_check_across(input, error)) {
+        return false;
+    }
+    struct analysis_cursor at = analysis_begin_finding(input, &policy, run, wavefront_row_find,
+                                                       sizeof(struct wavefront_found));
     while (analysis_next(&at, error)) {
-        const struct wavefront_found *found = at.found;
         struct wavefront_row row;
-        analysis_begin_row(&at, wavefront_choose_sheet(input, NULL), &row);
-        row.weight = analysis_weight_words(&input->question);
-        if (at.lost == NULL) {
-            const struct opd_reference *sphere = &found->source.reference.opd;
-            row.reference =
-                wave_reference_words(at.one, (enum wave_about)input->reference, run->arena);
-            row.radius = sphere->is_plane ? INFINITY : sphere->radius;
-        }
-        if (at.lost == NULL) {
-            const bool is_whole = input->zernike == NO_ZERNIKE;
-            wavefront_warn_missed(&at, &row.point,
-                                  is_whole ? found->figures.missed : found->fit.missed);
-        }
-        if (at.lost == NULL && input->zernike == NO_ZERNIKE) {
-            const struct wavefront *figures = &found->figures;
-            row.figures = *figures;
-            row.rays = (long)figures->rays;
-            analysis_warn(&at, &row.point, lens_island_warning(&figures->islands, at.run->arena));
-            if (found->source.question->rays == 0 && !figures->has_converged) {
-                analysis_warn(&at, &row.point, "the wave front has not converged: see its errors");
-            }
-        }
-        const bool goes_on = at.lost == NULL && input->zernike != NO_ZERNIKE
-                                 ? wavefront_emit_coefficients(&at, found, &row)
-                                 : run_emit(run, &row);
+        wavefront_row_fill(&at, &row);
+        const bool is_listed = input->zernike != NO_ZERNIKE && !input->across;
+        const bool goes_on = at.lost == NULL && is_listed ? wavefront_emit_coefficients(&at, &row)
+                                                          : run_emit(run, &row);
         if (!goes_on) {
             return true;
         }
@@ -322,7 +415,7 @@ static bool wavefront_maps(const struct artifact_job *job, struct output *sink, 
             input.size = drawn ? DRAWN_SIZE : MAP_SIZE;
         }
         struct analysis_cursor at = analysis_begin_finding(
-            &input, &wavefront_policy, job->run, drawn ? wavefront_map_find : wavefront_values_find,
+            &input, &policy, job->run, drawn ? wavefront_map_find : wavefront_values_find,
             sizeof(struct wavefront_map_found));
         at.keeps_lost = true;
         while (analysis_next(&at, error)) {
@@ -359,13 +452,74 @@ static bool wavefront_check_map(const struct artifact_job *job, struct error *er
 static bool wavefront_makes_many(const void *data)
 {
     const struct wavefront_input *input = data;
-    return (input->zernike != NO_ZERNIKE && input->terms > 1) || analysis_several(input);
+    return (input->zernike != NO_ZERNIKE && !input->across && input->terms > 1) ||
+           analysis_several(input);
+}
+
+/* -------- curves -------- */
+
+/* The RMS; of coefficients all from c2 on: neither piston nor ANSI's first tilt. */
+static bool wavefront_is_usual(const struct column *column)
+{
+    const size_t first = offsetof(struct wavefront_row, terms[2]);
+    return column->offset == offsetof(struct wavefront_row, figures.rms) ||
+           (column->offset >= first &&
+            column->offset <= offsetof(struct wavefront_row, terms[TERM_COLUMNS - 1]));
+}
+
+/* What the reference sphere is about, where not the chief ray. */
+static const char *wavefront_kind(const struct analysis_cursor *at)
+{
+    const struct wavefront_input *input = at->input;
+    const char *words =
+        wave_reference_words(at->one, (enum wave_about)input->reference, at->run->arena);
+    return input->reference == WAVE_CHIEF ? "against the chief ray"
+                                          : ARENA_JOIN(at->run->arena, "against ", words);
+}
+
+static bool wavefront_curves(const struct artifact_job *job, struct output *sink,
+                             struct error *error)
+{
+    static const struct curve_title titles[] = {
+        {"rms_waves", "RMS wave front"},
+        {"pv_waves", "Peak to valley of the wave front"},
+        {"strehl_marechal", "Strehl ratio by Mar\xc3\xa9"
+                            "chal"},
+        {"residual_waves", "RMS wave front beyond the Zernike polynomials"},
+        {NULL, NULL}};
+    const struct wavefront_input *first = job->inputs[0];
+    static const char *const names[] = {[NO_ZERNIKE] = "Wave front",
+                                        [ZERNIKE_NOLL + 1] = "Noll's Zernike coefficients",
+                                        [ZERNIKE_FRINGE + 1] = "Fringe Zernike coefficients",
+                                        [ZERNIKE_ANSI + 1] = "ANSI Zernike coefficients"};
+    const struct analysis_curves curves = {.policy = &policy,
+                                           .find = wavefront_row_find,
+                                           .found_size = sizeof(struct wavefront_found),
+                                           .sheet = wavefront_choose_sheet(first, NULL),
+                                           .fill_row = wavefront_row_fill,
+                                           .is_usual = wavefront_is_usual,
+                                           .kind = wavefront_kind,
+                                           .titles = titles,
+                                           .title = names[first->zernike]};
+    return analysis_curves_draw(&curves, job, sink, error);
+}
+
+static bool wavefront_check_curve(const struct artifact_job *job, struct error *error)
+{
+    const struct wavefront_input *input = job->inputs[0];
+    if (input->zernike == NO_ZERNIKE || input->across) {
+        return true;
+    }
+    fail(error, ERROR_USAGE, "{--curve} draws columns, and these coefficients are rows");
+    return error_hint(error, "{--across} makes them columns");
 }
 
 static const struct artifact artifacts[] = {
     {ARTIFACT_OPTION("curve", drawing_types,
-                     "draw the RMS against what is swept most finely: field, focus or wavelength"),
-     .scope = ARTIFACT_OF_SWEEP, .needs_no_rows = true, .make = wavefront_curves},
+                     "draw --columns, else the RMS, against what is swept most finely: field, "
+                     "focus or wavelength"),
+     .scope = ARTIFACT_OF_SWEEP, .needs_no_rows = true, .check = wavefront_check_curve,
+     .make = wavefront_curves},
     {ARTIFACT_OPTION("plot", drawing_types, "draw the wave fronts over the pupil, by field"),
      .scope = ARTIFACT_OF_SWEEP, .needs_no_rows = true, .make = wavefront_maps},
     {ARTIFACT_OPTION("map", map_types,
@@ -396,6 +550,9 @@ static const struct example examples[] = {
      "which aberrations they consist of"},
     {"wavefront double-gauss -N 4 --fringes --plot fringes.svg", "interferograms of all fields"},
     {"wavefront double-gauss -N 8 --field 0..14:0.5 --curve rms.svg", "the RMS over the field"},
+    {"wavefront double-gauss -N 8 --zernike fringe --terms 9 --across --field 0..14:0.5 --columns "
+     "c5,c8,c9 --curve zernike.svg",
+     "astigmatism, coma and spherical aberration over the field"},
     {"wavefront questar-35 --plot wavefronts.svg", "a telescope with its obstruction, drawn"},
     {"wavefront double-gauss --field 0deg --map wavefront.pfm --size 256",
      "the numbers for another program"},

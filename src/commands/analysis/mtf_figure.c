@@ -3,6 +3,7 @@
 #include "commands/analysis/mtf_figure.h"
 
 #include "analysis/image/mtf_curve.h"
+#include "commands/analysis/figure_captions.h"
 #include "draw/plot.h"
 #include "draw/plot_sample.h"
 
@@ -64,9 +65,8 @@ enum figure_axis { BY_FREQUENCY, BY_FOCUS, BY_FIELD };
 /* A point of the drawing. */
 struct figure_entry {
     double x, contrast[MTF_DIRECTIONS], limit;
-    bool is_between;          /* of what was asked for */
-    const char *label, *lens; /* of its curve */
-    size_t rank;              /* of the curve, as they come */
+    bool is_between; /* of what was asked for */
+    size_t caption;  /* of its curve */
 };
 
 struct figure_painter {
@@ -78,8 +78,9 @@ struct figure_painter {
     double highest; /* frequency; NaN: as the light has it */
     struct figure_entry *list;
     size_t count;
-    const char *subtitle;
-    double off; /* what contrasts may be off, where that is known */
+    struct captions captions;
+    bool has_methods; /* several, which legends tell apart; else the subtitle has it */
+    double off;       /* what contrasts may be off, where that is known */
     bool is_between;
     bool is_cut; /* some curve ends where its wave front is too steep for a drawing */
 };
@@ -93,13 +94,7 @@ static struct figure_entry *new_entry(struct figure_painter *painter,
         return NULL;
     }
     struct figure_entry *entry = &painter->list[painter->count++];
-    size_t same = 0, most = 0; /* an entry of the same curve; ranks up to now */
-    while (same + 1 < painter->count && strcmp(painter->list[same].label, place->label) != 0) {
-        most = painter->list[same].rank >= most ? painter->list[same].rank + 1 : most;
-        same++;
-    }
     *entry = *place;
-    entry->rank = same + 1 < painter->count ? painter->list[same].rank : most;
     return entry;
 }
 
@@ -237,6 +232,18 @@ static bool figure_add_curve(struct figure_painter *painter, const struct mtf_so
     return true;
 }
 
+/* "diffraction, square bars, pixels of 6 um": what contrasts are of. */
+static const char *figure_method_words(const struct figure_painter *painter)
+{
+    const struct mtf_input *input = painter->input;
+    const char *pixels =
+        isnan(input->pitch)
+            ? ""
+            : arena_printf(painter->arena, ", pixels of %.4g \xc2\xb5m", 1000 * input->pitch);
+    return ARENA_JOIN(painter->arena, input->method == MTF_BY_RAYS ? "geometric" : "diffraction",
+                      input->square ? ", square bars" : "", pixels);
+}
+
 static bool figure_add(struct figure_painter *painter, const struct analysis_cursor *at,
                        struct error *error)
 {
@@ -245,26 +252,24 @@ static bool figure_add(struct figure_painter *painter, const struct analysis_cur
     struct arena *arena = painter->arena;
     const struct analysis_point point = analysis_point_of(one, at->field);
     const double frequency = painter->input->frequency;
-    struct analysis_question question;
-    const struct analysis_case named = analysis_case_named(painter->job, one, &question);
-    question.defocus = painter->axis == BY_FOCUS ? (double)NAN : question.defocus;
-    struct figure_entry place = {
-        .label = analysis_field_words(&named, at->field, painter->job->count > 1, arena),
-        .lens = one->setup->lens->title,
-        .is_between = painter->is_between};
-    const char *method = painter->input->method == MTF_BY_RAYS ? "geometric" : "diffraction";
-    const char *bars = painter->input->square ? ", square bars; " : "; ";
-    const unsigned parts = painter->axis == BY_FOCUS ? FIGURE_THROUGH_FOCUS : FIGURE_ALL;
-    painter->subtitle = ARENA_JOIN(arena, method, bars, analysis_figure_words(one, parts, arena));
+    const char *kind = painter->has_methods ? figure_method_words(painter) : NULL;
+    if (painter->axis != BY_FREQUENCY) {
+        const char *cycles = arena_printf(arena, "%.4g cycles/mm", frequency);
+        kind = kind != NULL ? ARENA_JOIN(arena, kind, ", ", cycles) : cycles;
+    }
+    struct figure_entry place = {.caption = captions_add(&painter->captions, one, at->field, kind),
+                                 .is_between = painter->is_between};
     painter->is_angle = !isnan(point.field);
+    if (painter->captions.count > CURVES_MOST) {
+        return fail(error, ERROR_USAGE, "{--plot} would draw more than %d pairs of curves",
+                    CURVES_MOST);
+    }
     if (painter->axis == BY_FREQUENCY) {
         return figure_add_curve(painter, source, &place, error);
     }
-    if (painter->axis == BY_FOCUS) {
-        place.x = point.defocus;
-    } else {
+    place.x = point.defocus;
+    if (painter->axis == BY_FIELD) {
         place.x = painter->is_angle ? degrees_from_radians(point.field) : point.height;
-        place.label = arena_printf(arena, "%.4g cycles/mm", frequency);
     }
     /* One point, found by itself. */
     struct contrasts contrasts = {painter, source, error, false};
@@ -308,6 +313,9 @@ static bool choose_axis(struct figure_painter *painter, struct error *error)
     } else if (given && fields > FIELDS_MANY) {
         painter->axis = BY_FIELD;
     }
+    painter->captions.leaves_out[CAPTION_DEFOCUS] = painter->axis == BY_FOCUS;
+    painter->captions.leaves_out[CAPTION_FIELD] = painter->axis == BY_FIELD;
+    painter->has_methods = MTF_VALUES(method) * MTF_VALUES(square) * MTF_VALUES(pitch) > 1;
     if (painter->axis == BY_FOCUS && (!given || frequencies > 1)) {
         return fail(error, ERROR_USAGE, "{--plot} through focus shows one {--frequency}");
     }
@@ -331,8 +339,8 @@ static double *figure_place_of(const struct figure_painter *painter, struct mtf_
 static int entry_order(const void *first, const void *second)
 {
     const struct figure_entry *a = first, *b = second;
-    const int by_curve = (a->rank > b->rank) - (a->rank < b->rank);
-    return by_curve != 0 ? by_curve : (a->x > b->x) - (a->x < b->x);
+    const int by_caption = (a->caption > b->caption) - (a->caption < b->caption);
+    return by_caption != 0 ? by_caption : (a->x > b->x) - (a->x < b->x);
 }
 
 /* Is the curve bent at the second of three entries, as far as is seen? */
@@ -362,9 +370,9 @@ static size_t middles_find(struct figure_painter *painter, double low, double hi
     for (size_t i = 0; i + 1 < painter->count; i++) {
         const struct figure_entry *here = &painter->list[i];
         const double width = here[1].x - here->x;
-        const bool one = strcmp(here->label, here[1].label) == 0;
-        const bool before = i > 0 && strcmp(here[-1].label, here->label) == 0;
-        const bool behind = i + 2 < painter->count && strcmp(here[1].label, here[2].label) == 0;
+        const bool one = here->caption == here[1].caption;
+        const bool before = i > 0 && here[-1].caption == here->caption;
+        const bool behind = i + 2 < painter->count && here[1].caption == here[2].caption;
         const bool bent = (before && entry_is_bent(here - 1)) || (behind && entry_is_bent(here));
         if (one && (width > 1.01 * widest || (bent && width > least))) {
             middles[count++] = here->x + width / 2;
@@ -441,43 +449,20 @@ static bool figure_collect(struct figure_painter *painter, struct error *error)
                            : "wave fronts are too steep or too rough for the diffraction MTF");
 }
 
-/* The points of one label in their order. */
+/* The points of one caption in their order. */
 struct figure_curve {
-    const char *label;
     double *x, *contrast[MTF_DIRECTIONS], *limit;
     unsigned char *places;
     size_t count;
 };
 
-/* The curve of a label, or the place behind the last. */
-static struct figure_curve *figure_curve_called(struct figure_curve *curves, size_t count,
-                                                const char *label)
+/* The curves, one a caption. */
+static void figure_curves_collect(struct figure_painter *painter, struct figure_curve *curves)
 {
-    size_t k = 0;
-    while (k < count && strcmp(curves[k].label, label) != 0) {
-        k++;
-    }
-    return &curves[k];
-}
-
-/* The curves, by their labels in the order these came; false: they are too many. */
-static bool figure_curves_collect(struct figure_painter *painter, struct figure_curve *curves,
-                                  size_t *count, struct error *error)
-{
-    *count = 0;
     for (size_t i = 0; i < painter->count; i++) {
-        struct figure_curve *curve = figure_curve_called(curves, *count, painter->list[i].label);
-        if (curve == &curves[CURVES_MOST]) {
-            return fail(error, ERROR_USAGE, "{--plot} would draw more than %d pairs of curves",
-                        CURVES_MOST);
-        }
-        if (curve == &curves[*count]) {
-            *curve = (struct figure_curve){.label = painter->list[i].label};
-            (*count)++;
-        }
-        curve->count++;
+        curves[painter->list[i].caption].count++;
     }
-    for (size_t k = 0; k < *count; k++) {
+    for (size_t k = 0; k < painter->captions.count; k++) {
         struct figure_curve *curve = &curves[k];
         double *room = ARENA_ARRAY(painter->arena, 4 * curve->count, double);
         curve->x = room;
@@ -490,7 +475,7 @@ static bool figure_curves_collect(struct figure_painter *painter, struct figure_
     qsort(painter->list, painter->count, sizeof *painter->list, entry_order);
     for (size_t i = 0; i < painter->count; i++) {
         const struct figure_entry *entry = &painter->list[i];
-        struct figure_curve *curve = figure_curve_called(curves, *count, entry->label);
+        struct figure_curve *curve = &curves[entry->caption];
         const size_t at = curve->count++;
         curve->x[at] = entry->x;
         curve->limit[at] = entry->limit;
@@ -498,14 +483,21 @@ static bool figure_curves_collect(struct figure_painter *painter, struct figure_
         curve->contrast[MTF_SAGITTAL][at] = entry->contrast[MTF_SAGITTAL];
         curve->places[at] = entry->is_between ? PLOT_BETWEEN : PLOT_SAMPLE;
     }
-    return true;
 }
 
-/* Series of curves: of a colour for each label, sagittal ones dashed. */
-static size_t figure_put_series(const struct figure_painter *painter,
-                                const struct figure_curve *curves, size_t count,
-                                struct plot_series *series)
+/* "T 14°"; of one pair "tangential". */
+static const char *figure_label(const struct figure_painter *painter, const char *direction,
+                                const char *alone, size_t caption)
 {
+    const char *label = captions_label(&painter->captions, caption);
+    return label != NULL ? ARENA_JOIN(painter->arena, direction, " ", label) : alone;
+}
+
+/* Series of curves: of a colour for each caption, sagittal ones dashed. */
+static size_t figure_put_series(const struct figure_painter *painter,
+                                const struct figure_curve *curves, struct plot_series *series)
+{
+    const size_t count = painter->captions.count;
     size_t put = 0;
     for (size_t k = 0; k < count; k++) {
         const struct figure_curve *curve = &curves[k];
@@ -522,18 +514,22 @@ static size_t figure_put_series(const struct figure_painter *painter,
         const struct plot_series common = {
             .x = curve->x, .count = curve->count, .places = curve->places, .style = k};
         series[put] = common;
-        series[put].label = arena_printf(painter->arena, "%s %s", one ? "T, S" : "T", curve->label);
+        series[put].label = one ? figure_label(painter, "T, S", "tangential and sagittal", k)
+                                : figure_label(painter, "T", "tangential", k);
         series[put].y = curve->contrast[MTF_TANGENTIAL];
         series[put++].dash = 1 + again;
         if (!one) {
             series[put] = common;
-            series[put].label = arena_printf(painter->arena, "S %s", curve->label);
+            series[put].label = figure_label(painter, "S", "sagittal", k);
             series[put].y = curve->contrast[MTF_SAGITTAL];
             series[put++].dash = 2 + again;
         }
     }
     if (painter->axis == BY_FREQUENCY) {
-        series[put++] = (struct plot_series){.label = "diffraction limit",
+        const char *limit = captions_have_settings(&painter->captions)
+                                ? figure_label(painter, "limit,", NULL, 0)
+                                : "diffraction limit";
+        series[put++] = (struct plot_series){.label = limit,
                                              .x = curves[0].x,
                                              .y = curves[0].limit,
                                              .count = curves[0].count,
@@ -547,46 +543,36 @@ static size_t figure_put_series(const struct figure_painter *painter,
 bool mtf_figure(const struct artifact_job *job, struct output *sink, struct error *error)
 {
     struct svg svg = {.arena = job->run->arena};
-    struct figure_painter painter = {.job = job, .arena = svg.arena, .highest = NAN};
-    struct figure_curve curves[CURVES_MOST];
+    struct figure_painter painter = {
+        .job = job, .arena = svg.arena, .highest = NAN, .captions = {.arena = svg.arena}};
+    struct figure_curve curves[CURVES_MOST] = {{0}};
     struct plot_series series[MTF_DIRECTIONS * CURVES_MOST + 1];
-    size_t count;
     painter.list = ARENA_ARRAY(svg.arena, MOST, struct figure_entry);
     if (!choose_axis(&painter, error) || !figure_collect(&painter, error)) {
         return false;
     }
-    /* The title; curves of several lenses are called by them too. */
-    const char *lens = painter.list[0].lens;
-    bool one = true;
-    for (size_t i = 0; i < painter.count; i++) {
-        one = one && strcmp(painter.list[i].lens, lens) == 0;
-    }
-    for (size_t i = 0; i < painter.count && !one; i++) {
-        struct figure_entry *entry = &painter.list[i];
-        entry->label = arena_printf(painter.arena, "%s, %s", entry->label, entry->lens);
-    }
-    if (!figure_curves_collect(&painter, curves, &count, error)) {
-        return false;
+    figure_curves_collect(&painter, curves);
+    const char *subtitle = captions_subtitle(&painter.captions);
+    if (!painter.has_methods) {
+        subtitle = ARENA_JOIN(svg.arena, figure_method_words(&painter), "; ", subtitle);
     }
     const char *const labels[] = {[BY_FREQUENCY] = "spatial frequency (cycles/mm)",
                                   [BY_FOCUS] = "defocus (mm)",
-                                  [BY_FIELD] = painter.is_angle ? "field (deg)" : "field (mm)"};
-    struct plot plot = {.title = one ? arena_printf(svg.arena, "MTF of %s", lens) : "MTF",
-                        .subtitle = painter.subtitle,
+                                  [BY_FIELD] =
+                                      painter.is_angle ? "field (\xc2\xb0)" : "field (mm)"};
+    struct plot plot = {.title = captions_title(&painter.captions, "MTF"),
+                        .subtitle = subtitle,
                         .x_label = labels[painter.axis],
                         .y_label = "modulation transfer",
                         .is_share = true,
                         .series = series};
-    if (painter.axis == BY_FOCUS) {
-        plot.subtitle =
-            arena_printf(svg.arena, "%s; %.4g cycles/mm", plot.subtitle, painter.input->frequency);
-    } else if (painter.is_cut) {
+    if (painter.is_cut) {
         plot.subtitle =
             ARENA_JOIN(svg.arena, plot.subtitle, "; curves end where wave fronts are too steep");
     }
     if (painter.off > fine) {
         plot.subtitle = arena_printf(svg.arena, "%s; up to %.1g off", plot.subtitle, painter.off);
     }
-    plot.series_count = figure_put_series(&painter, curves, count, series);
+    plot.series_count = figure_put_series(&painter, curves, series);
     return plot_draw(&plot, &svg, error) && drawing_write(job, &svg, sink, error);
 }
