@@ -1,5 +1,8 @@
 #!/usr/bin/env python3
-"""tests/documents/check_documents.py - every example runs, and pages and program agree.
+"""tests/documents/check_documents.py BUILD [long] - every example runs, pages and program agree.
+
+What takes long, of blocks of examples and of the examples of --help, is left out, and alone what
+`long` runs.
 
 Conventions of README and man/*.[157]:
 - Example: in README a fenced (```) or indented (4 blanks) block, in a page what stands between .EX
@@ -40,12 +43,14 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 import keyword_tables
-from harness import EVERYTHING, NEED_SOLVER, ROOT, Checks, Program
+from harness import NEED_SOLVER, ROOT, Checks, Program
 
 KEY = re.compile(r"\[([A-Z][A-Za-z]*[0-9]{2}[a-z]?)\]")
 NOT_RUN = ("make", "sudo")
 TOOLS = ("jq", "parallel")  # that a machine may lack
-LONG = re.compile(r"lenscalc render chart:(?!.*--size)")
+# pictures of full size, searches, comparisons, and drawings of a hundred answers
+LONG = re.compile(r"lenscalc (render chart:(?!.*--size)|optimize .*(--start|--global)|bench|report|"
+                  r"(energy|psf) questar-35 .*--plot|mtf .*--defocus .*--plot)", re.S)
 
 
 def unescape(line):
@@ -154,15 +159,13 @@ class Examples:
         return self.known[commands][:2]
 
 
-def is_left_out(command):
-    return LONG.match(command) and not EVERYTHING
-
-
-def check_examples(checks, examples, path, blocks):
+def check_examples(checks, examples, path, blocks, is_long):
     count, program = 0, examples.program
     for start, block in blocks:
-        commands = []
-        for number, command, expected in examples_of(start, block):
+        commands, found = [], examples_of(start, block)
+        if is_long and not any(LONG.match(command) for _, command, _ in found):
+            continue
+        for number, command, expected in found:
             if command.split()[0] in NOT_RUN:
                 continue
             count += 1
@@ -170,7 +173,7 @@ def check_examples(checks, examples, path, blocks):
             if lacks:
                 print(f"{path}:{number}: $ {command}: skipped, {lacks} is not here")
                 break
-            if is_left_out(command):
+            if not is_long and LONG.match(command):
                 break
             commands.append(command)
             result = examples.run(commands)[0]
@@ -275,7 +278,7 @@ def check_words(checks, program, commands):
         checks.check(not missing, f"{path}: lacks the endings {missing} of lens files")
 
 
-def check_help(checks, examples, commands):
+def check_help(checks, examples, commands, is_long):
     """The examples that --help shows run with status 0, and print or make something."""
     program = examples.program
     for command in commands:
@@ -284,8 +287,10 @@ def check_help(checks, examples, commands):
         block = re.sub(r" \\\n +", " ", block)  # a long one goes on in the next line
         found = [line.strip() for line in block.split("\n") if line.startswith("  lenscalc ")]
         checks.check(found, f"{command} --help has no examples")
-        found = [one for one in found if not lacking(program, one) and not is_left_out(one)]
+        found = [one for one in found if not lacking(program, one)]
         for number, example in enumerate(found):
+            if bool(LONG.match(example)) != is_long:
+                continue
             result, made = examples.run([example])
             if result.returncode != 0:  # it reads what an earlier one made
                 result, made = examples.run(found[:number + 1])
@@ -373,23 +378,26 @@ def main():
     commands = [row["command"] for row in csv.DictReader(rows)]
     tools = {row["command"] for row in csv.DictReader(rows) if row["group"] == "tool"}
     checks.check("dof" in commands, f"lenscalc list commands: {commands}")
+    is_long = sys.argv[2:] == ["long"]
     with tempfile.TemporaryDirectory(prefix="lenscalc-doc-") as room:
         examples = Examples(program, room)
         if checks.check(os.path.exists("README"), "README does not exist"):
             with open("README", encoding="utf-8") as file:
-                count = check_examples(checks, examples, "README", readme_blocks(file.read()))
-            checks.check(count > 0, "README has no example")
+                count = check_examples(checks, examples, "README", readme_blocks(file.read()),
+                                       is_long)
+            checks.check(count > 0 or is_long, "README has no example")
         for path in sorted(glob.glob("man/*.[157]")):
             with open(path, encoding="utf-8") as file:
-                count = check_examples(checks, examples, path, page_blocks(file.read()))
-            checks.check(count > 0 or not path.endswith(".1"), f"{path} has no example")
-        check_help(checks, examples, commands)
-    check_options(checks, program, commands, tools)
-    check_words(checks, program, commands)
-    check_keys(checks)
-    check_keywords(checks, program)
-    check_trade_names(checks)
-    check_pages(checks)
+                count = check_examples(checks, examples, path, page_blocks(file.read()), is_long)
+            checks.check(count > 0 or is_long or not path.endswith(".1"), f"{path} has no example")
+        check_help(checks, examples, commands, is_long)
+    if not is_long:
+        check_options(checks, program, commands, tools)
+        check_words(checks, program, commands)
+        check_keys(checks)
+        check_keywords(checks, program)
+        check_trade_names(checks)
+        check_pages(checks)
     checks.finish()
 
 

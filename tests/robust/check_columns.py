@@ -68,7 +68,9 @@ def check_command(checks, asked):
                       ("own columns", lambda *more: asked.batched(*more, rows=shown))]
     brief = command == "bench" and not EVERYTHING  # it takes times
     for kind, ask in questions[::len(questions) - 1] if brief else questions:
-        for form in FORMS[::2] if brief else FORMS:
+        # what is written is the same wherever its question was read
+        few = brief or kind in ("swept", "own rows", "own columns")
+        for form in FORMS[::2] if few else FORMS:
             for more in ([], ["--columns", names])[brief:] if names else ([],):
                 name = f"{command} {kind} {form} {' '.join(more)[:40]}"
                 check_heads(checks, name, form, ask(form, *more))

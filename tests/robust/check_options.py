@@ -1,9 +1,8 @@
 #!/usr/bin/env python3
 """tests/robust/check_options.py - every common option with every command: honoured, or refused.
 
-An option that says nothing beside what else is asked is refused, and answered beside what it serves.
-All pairs of options are tried as pairs.py has them; every day those of one question of a photographic
-command. What a command's --help does not show is refused with exit status 2 and the
+An option that says nothing beside what else is asked is refused, and answered beside what it serves;
+check_pairs.py tries all pairs of options. What a command's --help does not show is refused with exit status 2 and the
 reason. What it shows makes a difference that is tried here: another answer, a file, another
 failure. A new command needs its line in ASKED below, a new common option its function.
 """
@@ -19,8 +18,7 @@ import tempfile
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-from harness import EVERYTHING, NEED_SOLVER, Checks, Program
-import pairs
+from harness import NEED_SOLVER, Checks, Program
 
 # Command -> a question that every format answers, two options with values to sweep (the first with
 # a number), and a batch of two questions where the question is not two of the same lens.
@@ -93,7 +91,7 @@ ASKED = {
     "glass": ("N-BK7 -w 500 --thickness 10mm", ("w", "486,587", "thickness", "5,10"),
               "w\n486\n587\n"),
     "convert": ("double-gauss", None, None),
-    "bench": ("double-gauss -N 5.6 --degree 3", ("N", "4,8", "w", "486,587"),
+    "bench": ("double-gauss -N 5.6 --degree 3 --rays 12", ("N", "4,8", "w", "486,587"),
               "N\n4\n8\n"),
     "help": ("", None, None),
     "completion": ("bash", None, None),
@@ -596,32 +594,6 @@ def check_fields_apart(checks, program):
     checks.check(set(rows) == {"7", "14"} and len(rows) > 2, f"surfaces --field: {rows}")
 
 
-def check_pairs(checks, program, commands):
-    """An option more is another answer, or a refusal."""
-    photographic = [row["command"] for row in program.rows("list", "commands")
-                    if row["group"] == "photography"]
-    checks.check(set(photographic) == set(pairs.PHOTOGRAPHIC), f"photography: {photographic}")
-    missing = set(commands) - set(pairs.PHOTOGRAPHIC) - set(pairs.OTHERS) - pairs.WITHOUT
-    checks.check(not missing, f"no questions for the pairs of {missing}")
-    bases = {command: questions[:1] for command, questions in pairs.PHOTOGRAPHIC.items()}
-    if EVERYTHING:
-        bases = {**pairs.PHOTOGRAPHIC, **pairs.OTHERS}
-        for command, questions in pairs.EXACT.items():
-            bases[command] += questions
-    for command in bases:
-        if command not in commands:
-            continue
-        listed = program.run("list", "options", command, "--csv").stdout.decode()
-        options = [(row["option"][2:], row["value"] != "")
-                   for row in csv.DictReader(io.StringIO(listed)) if row["command"] == command]
-        without = pairs.without_value(command, options)
-        checks.check(not without, f"{command}: no value to try for {without}")
-        silent, asked = pairs.silent_pairs(program, command, bases[command], options)
-        checks.passed += asked - len(silent)
-        for question, beside, option in silent:
-            checks.check(False, f"{command} {question} {beside}: {option} says nothing")
-
-
 def main():
     checks, program = Checks(), Program(sys.argv[1])
     rows = program.run("list", "commands", "--columns", "command", "--csv").stdout.decode()
@@ -634,7 +606,6 @@ def main():
         commands = [command for command in commands if command not in NEED_SOLVER]
     check_idle(checks, program, commands)
     check_fields_apart(checks, program)
-    check_pairs(checks, program, commands)
     for command in commands:
         if checks.check(command in ASKED, f"{command} has no question in ASKED"):
             check_command(checks, program, command, options)
