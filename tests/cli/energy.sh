@@ -1,4 +1,4 @@
-# energy in circles and squares: radii, centres, spectra, fields, images at infinity, drawings, refusals
+# long: energy in circles and squares: radii, centres, spectra, fields, images at infinity, drawings, refusals
 lenscalc energy double-gauss -N 8
 lenscalc energy double-gauss -N 8 --field 14 --radius 2,5um --reference chief --csv --digits 4 --columns field,radius,encircled,ensquared,limit,energy_error
 lenscalc energy double-gauss -N 8 --field 0 --spectrum d:1,F:0.5 --radius 5um --json --digits 3 --columns radius,encircled,spectrum,reference

@@ -1,4 +1,4 @@
-# a triplet as fast as f/1.4: on its way rays come near total reflection and near missing a surface
+# long: a triplet as fast as f/1.4: on its way rays come near total reflection and near missing a surface
 cat > fast.lens <<'EOF'
 lens        Fast triplet
 wavelength  d F C

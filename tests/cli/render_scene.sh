@@ -1,4 +1,4 @@
-# scenes: focus, exposure, motion, what is said of them, and what is refused
+# long: scenes: focus, exposure, motion, what is said of them, and what is refused
 cat > lamps.scene <<'END'
 scene Lamps
 camera at=0,0,3 look=0,0,0 focus=3

@@ -1,4 +1,4 @@
-# one page about a lens; what it holds is checked by check_report.py
+# long: one page about a lens; what it holds is checked by check_report.py
 lenscalc report double-gauss -N 4 -o page.html
 sed -n 's/.*<code>\(.*\)<\/code>.*/\1/p' page.html
 lenscalc report double-gauss -N 4 --threads 3 | cmp - page.html
