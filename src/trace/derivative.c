@@ -347,6 +347,9 @@ static bool motion_of(const struct adjoint_sweep *sweep, size_t place, size_t it
         return false;
     }
     const size_t row = parameter_row(sweep->layout, PARAMETER_DECENTER_X, 0, surface);
+    if (row == LENS_NONE) {
+        return false;
+    }
     const struct displacement *decentre = system->lens->surfaces[surface].decentre;
     const double *into = decentre != NULL ? system->steps[itself - 1].turn : straight;
     double axes[9];
@@ -354,7 +357,7 @@ static bool motion_of(const struct adjoint_sweep *sweep, size_t place, size_t it
     turn_rows(into, straight, motion->shift);
     turn_rows(into, axes, motion->turn);
     motion->rows = sweep->gradient + row * RAYS_BLOCK;
-    return row != LENS_NONE;
+    return true;
 }
 
 /* What depends on the place on the surface goes back as that moves. */
