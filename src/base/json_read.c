@@ -10,7 +10,9 @@ enum { DEEPEST = 32 };
 
 struct json json_open(struct text text, struct arena *arena, struct error *error)
 {
-    return (struct json){text, text.start, text.start + text.length, arena, error};
+    /* nothing may be nowhere, from where nothing is counted */
+    const char *end = text.length > 0 ? text.start + text.length : text.start;
+    return (struct json){text, text.start, end, arena, error};
 }
 
 bool json_fail(struct json *json, const char *what)
