@@ -27,6 +27,7 @@ struct analysis_question {
     long rays, seed; /* rays: NO_INTEGER = as many as the error wants */
     double error;    /* relative */
     bool clip, no_clip;
+    struct sensor_value format; /* that --over-field maps; sides NaN: that of the fields */
 };
 
 /* What a row says of its place. */
@@ -154,6 +155,13 @@ extern const struct word analysis_aims[], analysis_weights[];
           .help = "clip rays at apertures and stop (default)"),                                    \
         ENTRY(OPTION(struct analysis_question, no_clip), .name = "no-clip", .wants = (use),        \
               .excludes = "clip", .help = "do not clip rays at clear apertures")
+
+/* Of commands with --over-field. */
+#define ANALYSIS_OVER_FIELD_OPTIONS                                                                \
+    ENTRY(OPTION(struct analysis_question, format), .name = "sensor", .wants = "over-field",       \
+          .value = "NAME|WxH",                                                                     \
+          .help = "format that --over-field maps, by name or size: 36x24mm; default: out to the "  \
+                  "largest field")
 
 /* What rows begin with: position and field. */
 #define ANALYSIS_POINT_COLUMNS                                                                     \

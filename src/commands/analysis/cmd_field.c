@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "analysis/rays/field_curvature.h"
 #include "analysis/waves/working_fnumber.h"
-#include "commands/analysis/analysis_cursor.h"
+#include "commands/analysis/field_map.h"
 #include "draw/panels.h"
 
 #include <string.h>
@@ -36,6 +36,7 @@ static const struct option options[] = {
     {OPTION(struct field_input, show), .name = "show", .words = shows, .fallback = "foci",
      .value = "WHAT", .help = "what rows and --plot are of"},
     ANALYSIS_CLIP_OPTIONS_FOR("show=fnumbers"),
+    ANALYSIS_OVER_FIELD_OPTIONS,
 };
 
 struct field_row {
@@ -395,10 +396,47 @@ static bool field_draw(const struct artifact_job *job, struct output *sink, stru
            field_paint(&painter, &svg, error) && drawing_write(job, &svg, sink, error);
 }
 
+/* -------- over the image -------- */
+
+static bool field_map_foci(const struct analysis_cursor *at, const struct analysis_case *one,
+                           size_t field, void *found, struct error *error)
+{
+    (void)at;
+    double *values = found;
+    struct field_curvature foci;
+    if (!field_curvature(one->setup, 0, &one->setup->fields[field].point, &foci, error)) {
+        return false;
+    }
+    values[FIELD_MAP_TANGENTIAL] = foci.tangential;
+    values[FIELD_MAP_SAGITTAL] = foci.sagittal;
+    values[FIELD_MAP_TURN] = foci.beam.turn;
+    return true;
+}
+
+static bool field_over_field(const struct artifact_job *job, struct output *sink,
+                             struct error *error)
+{
+    static const struct field_map_kind kind = {.policy = &policies[FIELD_FOCI],
+                                               .find = field_map_foci,
+                                               .values = FIELD_MAP_VALUES,
+                                               .what = "Astigmatism over the image",
+                                               .is_bars = true};
+    return field_map_make(job, &kind, sink, error);
+}
+
+static bool field_check_over_field(const struct artifact_job *job, struct error *error)
+{
+    return ((const struct field_input *)job->inputs[0])->show == FIELD_FOCI ||
+           fail(error, ERROR_USAGE, "{--over-field} maps the foci: not with {--show} fnumbers");
+}
+
 static const struct artifact artifacts[] = {
     {ARTIFACT_OPTION("plot", drawing_types,
                      "draw both foci and the Petzval surface, or both f-numbers, by field"),
      .scope = ARTIFACT_OF_SWEEP, .make = field_draw},
+    {ARTIFACT_OPTION("over-field", drawing_types, "draw both foci over the image, as bars"),
+     .scope = ARTIFACT_OF_SWEEP, .needs_no_rows = true, .check = field_check_over_field,
+     .make = field_over_field},
 };
 
 static const struct explanation explanations[] = {

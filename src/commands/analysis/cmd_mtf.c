@@ -1,5 +1,6 @@
 /* commands/analysis/cmd_mtf.c - lenscalc mtf: contrast of the image, by frequency. */
 /* SPDX-License-Identifier: MIT */
+#include "commands/analysis/field_map.h"
 #include "commands/analysis/mtf_figure.h"
 
 #include <string.h>
@@ -31,6 +32,7 @@ static const struct option options[] = {
      .dimension = &dimension_number, .lowest = 1e-8, .highest = 0.1, .fallback = "1e-4",
      .value = "NUMBER", .help = "sampling is refined until the error of the MTF is below this"},
     ANALYSIS_CLIP_OPTIONS,
+    ANALYSIS_OVER_FIELD_OPTIONS,
 };
 
 struct mtf_row {
@@ -163,11 +165,58 @@ static bool mtf_makes_many(const void *data)
     return isnan(((const struct mtf_input *)data)->frequency) || analysis_several(data);
 }
 
+/* -------- over the image -------- */
+
+static bool mtf_map_find(const struct analysis_cursor *at, const struct analysis_case *one,
+                         size_t field, void *found, struct error *error)
+{
+    const struct mtf_input *input = at->input;
+    struct mtf_source *source = ARENA_NEW(one->setup->arena, struct mtf_source);
+    struct mtf mtf;
+    if (!mtf_field_open(at, one, field, source, error) ||
+        !mtf_with_pixels(source, input, input->frequency, one->setup->arena, &mtf, error)) {
+        return false;
+    }
+    memcpy(found, mtf.contrast, sizeof mtf.contrast);
+    return true;
+}
+
+static const char *mtf_map_words(const void *data, struct arena *arena)
+{
+    const struct mtf_input *input = data;
+    return arena_printf(arena, "%.4g/mm%s%s", input->frequency,
+                        input->square ? ", square bars" : "",
+                        input->method == MTF_BY_RAYS ? ", geometric" : "");
+}
+
+static bool mtf_over_field(const struct artifact_job *job, struct output *sink, struct error *error)
+{
+    static const struct field_map_kind kind = {.policy = &mtf_policy,
+                                               .find = mtf_map_find,
+                                               .values = MTF_DIRECTIONS,
+                                               .what = "MTF over the image",
+                                               .scale = "contrast",
+                                               .highest = 1,
+                                               .words = mtf_map_words};
+    return field_map_make(job, &kind, sink, error);
+}
+
+static bool mtf_check_over_field(const struct artifact_job *job, struct error *error)
+{
+    return !isnan(((const struct mtf_input *)job->inputs[0])->frequency) ||
+           fail(error, ERROR_USAGE,
+                "{--over-field} maps the contrast at one frequency: give {--frequency}");
+}
+
 static const struct artifact artifacts[] = {
     {ARTIFACT_OPTION("plot", drawing_types,
                      "draw the MTF against frequency; against focus or field where these are lists "
                      "and --frequency is given"),
      .scope = ARTIFACT_OF_SWEEP, .needs_no_rows = true, .make = mtf_figure},
+    {ARTIFACT_OPTION("over-field", drawing_types,
+                     "draw the MTF at --frequency over the image, as maps of both sections"),
+     .scope = ARTIFACT_OF_SWEEP, .needs_no_rows = true, .check = mtf_check_over_field,
+     .make = mtf_over_field},
 };
 
 static const struct explanation explanations[] = {

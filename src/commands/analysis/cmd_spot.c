@@ -1,5 +1,6 @@
 /* commands/analysis/cmd_spot.c - lenscalc spot: spots of a field's rays. */
 /* SPDX-License-Identifier: MIT */
+#include "commands/analysis/field_map.h"
 #include "commands/analysis/spot_figure.h"
 
 #include <math.h>
@@ -23,9 +24,10 @@ static const struct option options[] = {
      .flags = OPTION_ABOVE_LOWEST | OPTION_BELOW_HIGHEST, .value = "SHARE",
      .help = "radius that encloses this fraction of the light: 80%"},
     {OPTION(struct spot_input, to), .name = "to", .lowest = 1, .highest = 1e6, .value = "SURFACE",
-     .excludes = "focus defocus",
+     .excludes = "focus defocus over-field",
      .help = "the footprint on this surface, in place of the image; counted from 1, stop included"},
     ANALYSIS_PUPIL_OPTIONS,
+    ANALYSIS_OVER_FIELD_OPTIONS,
 };
 
 struct spot_row {
@@ -143,10 +145,44 @@ static bool spot_run(const void *data, struct run *run, struct error *error)
     return error->code == ERROR_NONE;
 }
 
+/* The RMS radius alone, um or mrad. */
+static bool spot_map_find(const struct analysis_cursor *at, const struct analysis_case *one,
+                          size_t field, void *found, struct error *error)
+{
+    struct spot_question question;
+    struct spot spot;
+    double *value = found;
+    if (!spot_question_of(one, field, at->input, &question, error)) {
+        return false;
+    }
+    question.no_radius = true;
+    question.energy = NAN;
+    if (!spot_find(&question, one->setup->arena, &spot, error)) {
+        return false;
+    }
+    *value = 1000 * spot.rms;
+    return true;
+}
+
+static bool spot_over_field(const struct artifact_job *job, struct output *sink,
+                            struct error *error)
+{
+    static const struct field_map_kind kind = {.policy = &spot_policy,
+                                               .find = spot_map_find,
+                                               .values = 1,
+                                               .what = "RMS spot radius over the image",
+                                               .scale = "RMS radius (\xc2\xb5m)",
+                                               .angular = "RMS radius (mrad)"};
+    return field_map_make(job, &kind, sink, error);
+}
+
 static const struct artifact artifacts[] = {
     {ARTIFACT_OPTION("plot", drawing_types,
                      "draw the spots, by field and through focus; of many their RMS radius"),
      .scope = ARTIFACT_OF_SWEEP, .needs_no_rows = true, .make = spot_figure},
+    {ARTIFACT_OPTION("over-field", field_map_types,
+                     "map the RMS radius over the image, drawn or as numbers"),
+     .scope = ARTIFACT_OF_SWEEP, .needs_no_rows = true, .make = spot_over_field},
 };
 
 static const struct explanation explanations[] = {

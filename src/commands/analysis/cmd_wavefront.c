@@ -1,28 +1,14 @@
 /* commands/analysis/cmd_wavefront.c - lenscalc wavefront: figures, Zernike's polynomials. */
 /* SPDX-License-Identifier: MIT */
-#include "analysis/waves/wavefront.h"
 #include "commands/analysis/analysis_curves.h"
-#include "commands/analysis/analysis_map.h"
-#include "draw/ticks.h"
+#include "commands/analysis/field_map.h"
+#include "commands/analysis/wavefront_maps.h"
 
 #include <math.h>
 #include <string.h>
 
-enum { NO_ZERNIKE }; /* else enum zernike_kind + 1 */
-
-struct wavefront_input {
-    struct analysis_question question;
-    int reference, zernike; /* enum wave_about; enum zernike_kind, NO_WORD: none */
-    long terms, size;       /* size: NO_INTEGER = MAP_SIZE, of a drawing DRAWN_SIZE */
-    bool across, fringes;
-};
-
-static const struct analysis_policy policy = {.wavelengths = WAVELENGTHS_PRIMARY,
-                                              .fields = FIELDS_ALL};
-
 /* TERM_COLUMNS: of coefficients that a row has across, from c0 */
 enum { TERM_COLUMNS = 38 };
-enum { MAP_SIZE = 128, DRAWN_SIZE = 256 };
 
 static const struct word references[] = {
     [WAVE_CHIEF] = {"chief", "the chief ray of the same wavelength"},
@@ -36,6 +22,12 @@ static const struct word orders[] = {
     [ZERNIKE_NOLL + 1] = {"noll", "from 1, orthonormal [Noll76]"},
     [ZERNIKE_FRINGE + 1] = {"fringe", "from 1, by n + |m|, the 37th n = 12, each 1 at the edge"},
     [ZERNIKE_ANSI + 1] = {"ansi", "from 0, orthonormal [ISO24157]"},
+    {NULL, NULL},
+};
+
+static const struct word mapped[] = {
+    [MAPPED_RMS] = {"rms", "the root mean square of the path differences"},
+    [MAPPED_STREHL] = {"strehl", "the exact Strehl ratio"},
     {NULL, NULL},
 };
 
@@ -58,7 +50,10 @@ static const struct option options[] = {
      .help = "points across a map; default 128, of --plot 256"},
     {OPTION(struct wavefront_input, fringes), .name = "fringes", .wants = "plot|map",
      .help = "an interferogram: fringes against a perfect reference sphere"},
+    {OPTION(struct wavefront_input, mapped), .name = "mapped", .words = mapped, .fallback = "rms",
+     .value = "WHAT", .wants = "over-field", .help = "what --over-field maps"},
     ANALYSIS_PUPIL_OPTIONS,
+    ANALYSIS_OVER_FIELD_OPTIONS,
 };
 
 struct wavefront_row {
@@ -173,25 +168,6 @@ struct wavefront_found {
     struct wavefront_fit fit;
 };
 
-static bool wavefront_field_open(const struct analysis_cursor *at, const struct analysis_case *one,
-                                 size_t field, bool is_polychromatic,
-                                 struct wavefront_source *source, struct error *error)
-{
-    const struct wavefront_input *input = at->input;
-    struct arena *arena = one->setup->arena;
-    if (one->setup->wavelength_count > 1 && !is_polychromatic) {
-        return fail(error, ERROR_USAGE,
-                    "{--spectrum}: polynomials and maps are those of one wavelength");
-    }
-    struct wavefront_question *made = ARENA_NEW(arena, struct wavefront_question);
-    const long rays = input->question.rays;
-    *made = (struct wavefront_question){.bundle = analysis_bundle(one, field),
-                                        .about = (enum wave_about)input->reference,
-                                        .rays = rays != NO_INTEGER && rays > 0 ? (size_t)rays : 0,
-                                        .error = input->question.error};
-    return wavefront_open(made, arena, source, error);
-}
-
 static bool wavefront_row_find(const struct analysis_cursor *at, const struct analysis_case *one,
                                size_t field, void *room, struct error *error)
 {
@@ -303,8 +279,8 @@ static bool wavefront_run(const void *data, struct run *run, struct error *error
     if (!wavefront_check_across(input, error)) {
         return false;
     }
-    struct analysis_cursor at = analysis_begin_finding(input, &policy, run, wavefront_row_find,
-                                                       sizeof(struct wavefront_found));
+    struct analysis_cursor at = analysis_begin_finding(
+        input, &wavefront_policy, run, wavefront_row_find, sizeof(struct wavefront_found));
     while (analysis_next(&at, error)) {
         struct wavefront_row row;
         wavefront_row_fill(&at, &row);
@@ -316,137 +292,6 @@ static bool wavefront_run(const void *data, struct run *run, struct error *error
         }
     }
     return error->code == ERROR_NONE;
-}
-
-/* -------- maps -------- */
-
-static const double FAR_WORSE = 4; /* peak to valley of maps on one page that share no scale */
-
-/* The values of a map, and of a drawing the figures that its rows have. */
-struct wavefront_map_found {
-    struct wavefront_source source;
-    const double *values;
-    struct wavefront figures;
-    size_t size;
-};
-
-static bool wavefront_values_find(const struct analysis_cursor *at, const struct analysis_case *one,
-                                  size_t field, void *room, struct error *error)
-{
-    const struct wavefront_input *input = at->input;
-    struct arena *arena = one->setup->arena;
-    struct wavefront_map_found *found = room;
-    *found = (struct wavefront_map_found){.size = (size_t)input->size, .figures.pv = NAN};
-    if (!wavefront_field_open(at, one, field, false, &found->source, error)) {
-        return false;
-    }
-    const double *values = wavefront_map(&found->source, found->size, arena);
-    if (input->fringes) {
-        found->values = values;
-        return true;
-    }
-    /* Without the piston: about the mean of the map. */
-    const size_t count = found->size * found->size;
-    double sum = 0, some = 0, *levelled = ARENA_ARRAY(arena, count, double);
-    for (size_t i = 0; i < count; i++) {
-        sum += isnan(values[i]) ? 0 : values[i];
-        some += isnan(values[i]) ? 0 : 1;
-    }
-    for (size_t i = 0; i < count; i++) {
-        levelled[i] = values[i] - sum / some;
-    }
-    found->values = levelled;
-    return true;
-}
-
-static bool wavefront_map_find(const struct analysis_cursor *at, const struct analysis_case *one,
-                               size_t field, void *room, struct error *error)
-{
-    struct wavefront_map_found *found = room;
-    return wavefront_values_find(at, one, field, room, error) &&
-           wavefront_find(&found->source, true, one->setup->arena, &found->figures, error);
-}
-
-static bool wavefront_map_add(struct map_page *page, const struct analysis_cursor *at,
-                              struct error *error)
-{
-    enum { LINES = 5 };
-    const struct wavefront_input *input = at->input;
-    const struct wavefront_map_found *found = at->found;
-    struct arena *arena = page->job->run->arena;
-    const double pv = found->figures.pv;
-    struct raster_map map = {
-        .title = analysis_field_words(at->one, at->field, page->job->count > 1, arena),
-        .note = "no ray arrives",
-        .size = found->size,
-        .values = found->values,
-        .half = 1};
-    if (isfinite(pv)) {
-        map.note = ARENA_JOIN(arena, "peak to valley ", analysis_number(pv, arena), " waves");
-        map.step = pv > 0 && !input->fringes ? ticks_round_below(pv / LINES) : 0;
-    }
-    if (map.step > 0) {
-        map.note =
-            ARENA_JOIN(arena, map.note, ", contours every ", analysis_number(map.step, arena));
-    }
-    const char *reference = wave_reference_words(at->one, (enum wave_about)input->reference, arena);
-    const char *words = analysis_figure_words(at->one, FIGURE_ALL, arena);
-    return map_page_add(page, at->one, &map, ARENA_JOIN(arena, "against ", reference, "; ", words),
-                        error);
-}
-
-/* The maps of all inputs of a job. */
-static bool wavefront_maps(const struct artifact_job *job, struct output *sink, struct error *error)
-{
-    const struct wavefront_input *first = job->inputs[0];
-    const bool entrance = first->question.aim == ANALYSIS_AIM_ENTRANCE;
-    struct map_page page = {
-        .job = job,
-        .rasters = {.x_label = entrance ? "x in the entrance pupil" : "x in the stop",
-                    .y_label = entrance ? "y in the entrance pupil" : "y in the stop",
-                    .scale_label = "W - mean (waves)",
-                    .colours = first->fringes ? RASTER_FRINGES : RASTER_SIGNED,
-                    .columns = 3}};
-    double least = INFINITY, most = 0;
-    for (size_t i = 0; i < job->count; i++) {
-        struct wavefront_input input = *(const struct wavefront_input *)job->inputs[i];
-        const bool drawn = map_is_drawing(job);
-        if (!(input.size > 0)) {
-            input.size = drawn ? DRAWN_SIZE : MAP_SIZE;
-        }
-        struct analysis_cursor at = analysis_begin_finding(
-            &input, &policy, job->run, drawn ? wavefront_map_find : wavefront_values_find,
-            sizeof(struct wavefront_map_found));
-        at.keeps_lost = true;
-        while (analysis_next(&at, error)) {
-            if (at.lost != NULL) {
-                continue;
-            }
-            const struct wavefront_map_found *found = at.found;
-            least = fmin(least, found->figures.pv);
-            most = fmax(most, found->figures.pv);
-            if (!wavefront_map_add(&page, &at, error)) {
-                return false;
-            }
-        }
-        if (error->code != ERROR_NONE) {
-            return false;
-        }
-    }
-    /* beside one that is far worse the others would have no colour */
-    if (most > FAR_WORSE * least) {
-        page.rasters.own_scale = true;
-        page.rasters.scale_label = "W - mean, share of the largest of the map";
-    }
-    return map_page_make(&page, first->fringes ? "Interferograms" : "Wave fronts", sink, error);
-}
-
-static bool wavefront_check_map(const struct artifact_job *job, struct error *error)
-{
-    const struct wavefront_input *input = job->inputs[0];
-    const bool numbers = job->type != NULL && strcmp(job->type->ending, ".pfm") == 0;
-    return !(numbers && input->fringes) || asking_given(job->asking, "plot") ||
-           fail(error, ERROR_USAGE, "{--fringes} is a picture, and .pfm has numbers");
 }
 
 static bool wavefront_makes_many(const void *data)
@@ -492,7 +337,7 @@ static bool wavefront_curves(const struct artifact_job *job, struct output *sink
                                         [ZERNIKE_NOLL + 1] = "Noll's Zernike coefficients",
                                         [ZERNIKE_FRINGE + 1] = "Fringe Zernike coefficients",
                                         [ZERNIKE_ANSI + 1] = "ANSI Zernike coefficients"};
-    const struct analysis_curves curves = {.policy = &policy,
+    const struct analysis_curves curves = {.policy = &wavefront_policy,
                                            .find = wavefront_row_find,
                                            .found_size = sizeof(struct wavefront_found),
                                            .sheet = wavefront_choose_sheet(first, NULL),
@@ -526,6 +371,10 @@ static const struct artifact artifacts[] = {
                      "write the map of one field: colours, or numbers in wavelengths"),
      .scope = ARTIFACT_OF_ANSWER, .is_binary = true, .check = wavefront_check_map,
      .make = wavefront_maps},
+    {ARTIFACT_OPTION("over-field", field_map_types,
+                     "map the RMS over the image, or what --mapped says, drawn or as numbers"),
+     .scope = ARTIFACT_OF_SWEEP, .needs_no_rows = true, .check = wavefront_check_over_field,
+     .make = wavefront_over_field},
 };
 
 static const struct explanation explanations[] = {
