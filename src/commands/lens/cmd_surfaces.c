@@ -1,13 +1,9 @@
 /* commands/lens/cmd_surfaces.c - lenscalc surfaces: a lens surface by surface. */
 /* SPDX-License-Identifier: MIT */
-#include "commands/lens/lens_options.h"
+#include "commands/lens/surface_footprints.h"
 #include "commands/tables.h"
 #include "draw/plot.h"
 #include "optics/surface_shape.h"
-
-struct surfaces_input {
-    struct lens_question question;
-};
 
 static const struct lens_policy policy = {.wavelengths = WAVELENGTHS_PRIMARY,
                                           .fields = FIELDS_LARGEST,
@@ -16,6 +12,12 @@ static const struct lens_policy policy = {.wavelengths = WAVELENGTHS_PRIMARY,
 
 #define INPUT struct surfaces_input
 
+static const struct word shows[] = {
+    [SURFACES_PARAXIAL] = {"paraxial", "powers, vergences and paraxial rays"},
+    [SURFACES_FOOTPRINTS] = {"footprints", "where the beams of all fields cross each surface"},
+    {NULL, NULL},
+};
+
 static const struct option options[] = {
     LENS_OPTION(INPUT, question),
     LENS_WAVELENGTH_OPTION(INPUT, question, LENS_PRIMARY_WAVELENGTH),
@@ -23,6 +25,12 @@ static const struct option options[] = {
     LENS_FIELD_OPTIONS(INPUT, question),
     LENS_POSITION_OPTION(INPUT, question),
     LENS_SECTION_OPTION(INPUT, question),
+    {OPTION(INPUT, show), .name = "show", .words = shows, .fallback = "paraxial", .value = "WHAT",
+     .help = "what rows and --plot are of"},
+    {OPTION(INPUT, clip), .name = "clip", .wants = "show=footprints",
+     .help = "clip rays at apertures and stop (default)"},
+    {OPTION(INPUT, no_clip), .name = "no-clip", .wants = "show=footprints", .excludes = "clip",
+     .help = "do not clip rays at clear apertures"},
 };
 
 struct surfaces_row {
@@ -139,9 +147,22 @@ static void surfaces_weigh(const struct lens *lens, size_t i, struct surfaces_ro
     }
 }
 
+static const struct sheet paraxial_sheet = SHEET(columns, struct surfaces_row);
+static const struct sheet *const sheets[] = {&paraxial_sheet, &footprint_sheet, NULL};
+
+static const struct sheet *surfaces_choose_sheet(const void *data,
+                                                 const struct option_query *asking)
+{
+    (void)asking;
+    return sheets[((const struct surfaces_input *)data)->show];
+}
+
 static bool surfaces_run(const void *data, struct run *run, struct error *error)
 {
     const struct surfaces_input *input = data;
+    if (input->show == SURFACES_FOOTPRINTS) {
+        return footprint_rows(input, run, error);
+    }
     struct lens_cursor at = lens_begin(&input->question, &policy, run->arena);
     while (lens_next(&at, error)) {
         const struct first_order *first = &at.one.light.first;
@@ -248,6 +269,9 @@ static bool ybar_drawing_add(struct ybar_drawing *drawing, const struct lens_cas
 static bool surfaces_figure(const struct artifact_job *job, struct output *sink,
                             struct error *error)
 {
+    if (((const struct surfaces_input *)job->inputs[0])->show == SURFACES_FOOTPRINTS) {
+        return footprint_figure(job, sink, error);
+    }
     struct svg svg = {.arena = job->run->arena};
     struct ybar_drawing drawing = {.arena = svg.arena};
     for (size_t i = 0; i < job->count; i++) {
@@ -276,12 +300,17 @@ static bool surfaces_figure(const struct artifact_job *job, struct output *sink,
 
 static const struct artifact artifacts[] = {
     {ARTIFACT_OPTION("plot", drawing_types,
-                     "draw the y-ybar diagram: the marginal ray against the chief ray"),
+                     "draw the y-ybar diagram, or with --show footprints the beams on surfaces"),
      .scope = ARTIFACT_OF_SWEEP, .make = surfaces_figure},
 };
 
 static const struct explanation explanations[] = {
     {"power", "P = (n' - n)/R", "[Smith05]", "paraxial"},
+    {"beam_radius",
+     "largest distance from the vertex of the rays of the clear pupil, with --show "
+     "footprints",
+     "exact rays on the edge of the pupil, its corners, and rings within",
+     "what blocks light within the edge is not cut out"},
     {"marginal_v", "v' = {v} before - {y} {P}", "[Smith05]; v = n u", NULL},
     {NULL, NULL, NULL, NULL},
 };
@@ -290,6 +319,7 @@ static const struct example examples[] = {
     {"surfaces double-gauss", "the table of the lens, with powers and paraxial rays"},
     {"surfaces double-gauss -N 4 --field 10deg -w F --csv", "for a spreadsheet"},
     {"surfaces double-gauss --plot ybar.svg", "its y-ybar diagram"},
+    {"surfaces double-gauss --show footprints --plot beams.svg", "how large the beams are on each"},
     {"surfaces double-gauss --columns surface,power_diopter,vergence_after_diopter",
      "vergences in dioptres"},
     {NULL, NULL},
@@ -303,9 +333,11 @@ static double surfaces_weight(const void *data)
 
 const struct command command_surfaces = {
     .name = "surfaces",
-    .stop_size_wants = "",
+    .stop_size_wants = "show=footprints",
     COMMAND_OF("a lens", "a lens surface by surface: powers, vergences, paraxial rays"),
     .run = surfaces_run,
+    .choose_sheet = surfaces_choose_sheet,
+    .sheets = sheets,
     .makes_many = command_always_many,
     COMMAND_MAKES(artifacts),
     .weight = surfaces_weight,
