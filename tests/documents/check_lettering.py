@@ -55,8 +55,11 @@ exposure -t 1/1000..1/2 -N 5.6 --plot {}
 exposure -N 1.4..22/third --ev 8..16:1 --iso 100 --plot {}
 fan double-gauss --plot {}
 fan double-gauss -w d,F,C --field 0,14 --show opd --plot {}
+fan double-gauss --show pupil --plot {}
 field double-gauss --plot {}
 field double-gauss --field 0..14#15 -w d,F,C --plot {}
+field double-gauss --show fnumbers --plot {}
+field double-gauss questar-35 --over-field {}
 fit double-gauss -N 2,4,8 --plot {}
 fit double-gauss --map {}
 flash --guide-number 40m -N 1.4..22 --plot {}
@@ -81,6 +84,7 @@ mtf double-gauss -N 5.6 -w d --plot {}
 mtf double-gauss -N 8 -w d --square --plot {}
 mtf double-gauss -N 5.6 -w d --field 0..14#15 --frequency 10,30 --plot {}
 mtf double-gauss -N 5.6 -w d --field 0,7,14 --frequency 30 --defocus -0.1..0.1#21 --plot {}
+mtf double-gauss -N 8 --frequency 40 --over-field {}
 optimize edmund-achromat-120 --goals spot --vary R1,R2 --iterations 3 --plot {}
 optimize edmund-achromat-120 --goals spot --vary R1,R2 --iterations 3 --report {}
 panorama -f 14..200#20 --plot {}
@@ -100,11 +104,14 @@ spot double-gauss --plot {}
 spot double-gauss --defocus -0.1..0.1#3 --plot {}
 spot double-gauss -w d --field 0,14 --defocus -0.1..0.1#11 --plot {}
 spot questar-35 --to 2 --plot {}
+spot double-gauss cooke-triplet-50 --sensor 35mm --over-field {}
+spot fisheye-16 --sensor 35mm --over-field {}
 spread double-gauss -N 8 --plot {}
 spread double-gauss -N 8 --draw edge --plot {}
 stars -f 14..200#20 -N 2.8 --plot {}
 surfaces double-gauss --plot {}
 surfaces canon-nfd-70-210 --position all --plot {}
+surfaces double-gauss --show footprints --plot {}
 survey Mavic 3 --altitude 50m..200m:10 --plot {}
 tilt -f 24 -N 8 --tilt 1..8 --angle 90deg --plot {}
 tilt -f 150 -N 22 --tilt 5 --angle 90 --sensor 4x5 --wedge {}
@@ -120,6 +127,7 @@ wavefront double-gauss -N 5.6 --plot {}
 wavefront double-gauss -N 8 --field 0..14:1 --curve {}
 wavefront double-gauss -N 5.6,8 --field 0,14 --defocus -0.1..0.1#11 --curve {}
 wavefront questar-35 hubble-rc --field 0 --size 32 --plot {}
+wavefront double-gauss -N 8 --mapped strehl --over-field {}
 """.strip().split("\n")
 
 LONG = ("spot", "mtf -N 8 -w d", "seidel", "fan -w d", "field", "distortion", "color", "pupil",

@@ -68,7 +68,9 @@ bool map_page_make(struct map_page *page, const char *what, struct output *sink,
     }
     rasters->title = one ? arena_printf(arena, "%s of %s", what, page->lenses[0]) : what;
     for (size_t i = 0; i < rasters->count && !one; i++) {
-        page->maps[i].title = ARENA_JOIN(arena, page->lenses[i], ", ", page->maps[i].title);
+        const char *title = page->maps[i].title;
+        page->maps[i].title =
+            title != NULL ? ARENA_JOIN(arena, page->lenses[i], ", ", title) : page->lenses[i];
         rasters->subtitle = "";
     }
     if (map_is_drawing(job)) {
