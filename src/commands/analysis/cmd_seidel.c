@@ -157,7 +157,7 @@ static const struct column transverse_columns[] = {
 
 static const struct column fifth_columns[] = {
     CASE_COLUMNS,
-    FIFTH(FIFTH_B5, "B5", "spherical aberration"),
+    FIFTH(FIFTH_B5, "B5", "fifth-order spherical aberration"),
     FIFTH(FIFTH_F1, "F1", "linear coma, tangential"),
     FIFTH(FIFTH_F2, "F2", "linear coma"),
     FIFTH(FIFTH_M1, "M1", "oblique spherical aberration, tangential"),
@@ -166,9 +166,9 @@ static const struct column fifth_columns[] = {
     FIFTH(FIFTH_N1, "N1", "elliptical coma, tangential"),
     FIFTH(FIFTH_N2, "N2", "elliptical coma, tangential, with cos 2 theta"),
     FIFTH(FIFTH_N3, "N3", "elliptical coma, sagittal"),
-    FIFTH(FIFTH_C5, "C5", "astigmatism"),
-    FIFTH(FIFTH_PI5, "PI5", "Petzval curvature"),
-    FIFTH(FIFTH_E5, "E5", "distortion"),
+    FIFTH(FIFTH_C5, "C5", "fifth-order astigmatism"),
+    FIFTH(FIFTH_PI5, "PI5", "fifth-order Petzval curvature"),
+    FIFTH(FIFTH_E5, "E5", "fifth-order distortion"),
     INTRINSIC(FIFTH_B5, "B5"),
     INTRINSIC(FIFTH_F1, "F1"),
     INTRINSIC(FIFTH_F2, "F2"),
