@@ -3,6 +3,7 @@
 #ifndef LENSCALC_OPTICS_THIN_LENS_H
 #define LENSCALC_OPTICS_THIN_LENS_H
 
+#include <math.h>
 #include <stdbool.h>
 
 #include "base/error.h"
@@ -28,6 +29,20 @@ struct thin_lens_given {
  *           infinite distance with a magnification
  */
 bool thin_lens_power(const struct thin_lens_given *given, struct pair *power, struct error *error);
+
+/*
+ * Where the object of a mirror stands that has its image so far from it.
+ *
+ * Given     distance       between object and image, whichever is nearer to the mirror, mm, > 0
+ *           magnification  lateral, negative upside down
+ * Result    object in front of the mirror, mm, > 0; inf where both are in one place (-1)
+ * Formula   D = |s' - s|, s' = -m s: s = D/|1 + m|
+ * Source    [OpenStax16] ch. 2.2
+ */
+static inline double mirror_object(double distance, double magnification)
+{
+    return distance / fabs(1 + magnification);
+}
 
 /*
  * How much larger an object looks through a lens before the eye than from the near point.

@@ -201,6 +201,25 @@ bool panorama_size(const struct panorama_frame *frame, const struct panorama_goa
     return true;
 }
 
+bool panorama_goal_of_size(const struct panorama_frame *frame, double pixels, double width,
+                           double height, struct panorama_goal *goal, struct error *error)
+{
+    if (!panorama_check_flat(frame, error) ||
+        !check_positive("pixels of a frame", "", pixels, error) ||
+        !check_positive("width of the print", " pixels", width, error) ||
+        !check_positive("height of the print", " pixels", height, error)) {
+        return false;
+    }
+    const double per_radian = pixels / (2 * tan(frame->horizontal / 2));
+    goal->arc = width / per_radian;
+    goal->span = 2 * atan(height / (2 * per_radian));
+    return goal->arc <= 2 * PI ||
+           fail(error, ERROR_DOMAIN,
+                "a print %.0f pixels wide is more than a full turn, which has %.0f: a longer "
+                "{focal length}, or fewer pixels an inch by {dpi}",
+                width, 2 * PI * per_radian);
+}
+
 /* How far a thing at distance D seems turned, seen from the pupil, rad. */
 static double apparent_turn(double e, double half, double D)
 {

@@ -117,6 +117,20 @@ bool panorama_size(const struct panorama_frame *frame, const struct panorama_goa
                    double pixels, struct panorama_size *size, struct error *error);
 
 /*
+ * The arc and span that a picture of so many pixels takes, as a cylinder.
+ *
+ * Given     frame (rectilinear, below 180 degrees);  pixels  along its horizontal side
+ *           width, height  of the picture, pixels, > 0
+ *           goal  receives arc and span
+ * Formula   the inverse of panorama_size: arc = width/p, span = 2 atan(height/(2 p)) with p pixels
+ *           per radian
+ * Source    a cylinder rolled flat: lengths along its height are p tan(elevation)
+ * Errors    as panorama_size; an arc beyond a full turn
+ */
+bool panorama_goal_of_size(const struct panorama_frame *frame, double pixels, double width,
+                           double height, struct panorama_goal *goal, struct error *error);
+
+/*
  * Parallax between neighbouring frames if the camera turns about a point off the entrance pupil.
  *
  * Given     offset  of the entrance pupil from the axis, along the lens axis, mm (sign is ignored)

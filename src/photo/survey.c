@@ -20,9 +20,6 @@ static bool survey_check(const struct survey_flight *a, struct error *error)
     if (is_given(a->interval) && !is_given(a->overlap)) {
         return fail(error, ERROR_USAGE, "{interval} needs {overlap}");
     }
-    if (is_given(a->time) && !is_given(a->speed) && !is_given(a->interval)) {
-        return fail(error, ERROR_USAGE, "{exposure time} needs {speed} or {interval}");
-    }
     return (!is_given(a->overlap) || require_within("overlap", "", a->overlap, 0, 0.999, error)) &&
            (!is_given(a->sidelap) || require_within("sidelap", "", a->sidelap, 0, 0.999, error)) &&
            given_positive(numbers, sizeof numbers / sizeof numbers[0], error);
@@ -35,7 +32,11 @@ bool survey_solve(const struct survey_flight *flight, struct survey_plan *plan, 
     }
     plan->base = flight->along * (1 - flight->overlap);
     plan->spacing = flight->across * (1 - flight->sidelap);
+    const bool is_open = !is_given(flight->speed) && !is_given(flight->interval);
     plan->speed = is_given(flight->speed) ? flight->speed : plan->base / flight->interval;
+    if (is_open) {
+        plan->speed = flight->blur * flight->sample / flight->time;
+    }
     plan->interval = is_given(flight->interval) ? flight->interval : plan->base / plan->speed;
     plan->longest = flight->blur * flight->sample / plan->speed;
     plan->moved = plan->speed * flight->time / flight->sample;

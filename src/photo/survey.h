@@ -7,7 +7,7 @@
 
 /* What a flight is planned from; lengths in mm on the ground, NaN = not given. */
 struct survey_flight {
-    double along, across;    /* the ground in a picture along the track and across it, > 0 */
+    double along, across;    /* the ground in a picture along the track and across it, > 0; NaN */
     double sample;           /* ground sampling distance, > 0; NaN: pixels are not known */
     double overlap, sidelap; /* parts of a picture that the next and the next line have too, 0..1 */
     double speed;            /* mm/s, > 0 */
@@ -32,10 +32,11 @@ struct survey_plan {
  * Given     flight
  * Result    plan
  * Formula   base = along (1 - overlap), spacing = across (1 - sidelap), base = speed interval,
- *           longest = blur sample/speed, moved = speed time/sample
+ *           longest = blur sample/speed, moved = speed time/sample; without speed and interval
+ *           the speed at which the time is the longest
  * Source    definitions of forward overlap and sidelap; similar triangles
- * Errors    ERROR_USAGE: speed and interval, an interval without an overlap, a time without a
- *           speed or pixels; ERROR_DOMAIN: a number out of range
+ * Errors    ERROR_USAGE: speed and interval, an interval without an overlap; ERROR_DOMAIN: a number
+ *           out of range
  * Limits    level ground below the camera: on a hill overlaps are less
  */
 bool survey_solve(const struct survey_flight *flight, struct survey_plan *plan,

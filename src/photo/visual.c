@@ -149,3 +149,30 @@ double visual_filter_shift(double thickness, double n)
 {
     return thickness * (1 - 1 / n);
 }
+
+double visual_pupil_place(double focal, double eyepiece)
+{
+    return eyepiece * (focal + eyepiece) / focal;
+}
+
+bool visual_photograph(const struct visual_camera_given *given, struct visual_camera *camera,
+                       struct error *error)
+{
+    const bool is_projection = is_given(given->projection);
+    if (is_projection && !is_given(given->eyepiece)) {
+        return fail(error, ERROR_USAGE,
+                    "{projection} needs the focal length of the eyepiece: give {eyepiece}, or the "
+                    "{telescope}");
+    }
+    if (is_projection && !(given->projection > given->eyepiece)) {
+        return fail(error, ERROR_DOMAIN,
+                    "{projection} %.6g mm lies within the focal length of the eyepiece, %.6g mm: "
+                    "no image there (more than %.6g mm)",
+                    given->projection, given->eyepiece, given->eyepiece);
+    }
+    camera->factor = is_projection ? given->projection / given->eyepiece - 1
+                                   : given->afocal / fabs(given->eyepiece);
+    camera->focal = is_projection ? camera->factor * given->focal : given->power * given->afocal;
+    camera->fnumber = camera->focal / given->diameter;
+    return true;
+}

@@ -116,4 +116,43 @@ double visual_eye_relief(double focal, double eyepiece, double back);
  */
 double visual_filter_shift(double thickness, double n);
 
+/*
+ * The exit pupil of thin lenses: the image of the objective by the eyepiece.
+ *
+ * Given     focal  of the objective;  eyepiece  its focal length, below 0 of a Galilean one, mm
+ * Result    behind the eyepiece, mm; below 0 in front of it, a virtual image
+ * Formula   f_e (f + f_e)/f
+ * Source    [Smith08]: 1/x = 1/f_e - 1/(f + f_e)
+ */
+double visual_pupil_place(double focal, double eyepiece);
+
+/* A camera behind an eyepiece: mm, NaN = not given; one of projection and afocal is. */
+struct visual_camera_given {
+    double focal, diameter; /* of telescope and Barlow lens */
+    double eyepiece, power; /* its focal length; the magnification for the eye */
+    double projection;      /* from the eyepiece to the sensor of a camera without a lens */
+    double afocal;          /* focal length of the camera's lens */
+};
+
+/* What it makes of them; NaN where that is not known. */
+struct visual_camera {
+    double factor; /* focal length over that of the telescope */
+    double focal;  /* mm */
+    double fnumber;
+};
+
+/*
+ * Photographs through an eyepiece.
+ *
+ * Given     given
+ * Result    camera
+ * Formula   projection: k = v/f_e - 1; afocal: F = M f_c, k = f_c/f_e; F = k f, N = F/D
+ * Source    thin lens 1/f_e = 1/u + 1/v with k = v/u; afocal: M of parallel light, f_c tan(M a)
+ * Errors    ERROR_USAGE: nothing that says the focal length of the eyepiece, for a projection;
+ *           ERROR_DOMAIN: a sensor within the focal length of the eyepiece
+ * Limits    thin lenses; afocal: the lens of the camera takes in all of the exit pupil
+ */
+bool visual_photograph(const struct visual_camera_given *given, struct visual_camera *camera,
+                       struct error *error);
+
 #endif

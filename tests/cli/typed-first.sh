@@ -120,3 +120,28 @@ csv fov 720mm --pixel 4.7um --columns scale
 try fov 50mm --ppf
 try lensmaker -f 20cm --index 1.5 --planoconvex=3
 try motion 200mm --handheld
+# a diverging eyepiece, cameras behind one, heights of images, screens of mirrors
+csv visual 30cm --eyepiece -5cm --columns power,separation,exit_pupil_place,image
+csv visual 20mm --telescope 250mm --eyepiece 25mm --columns exit_pupil_place
+csv visual 1000mm --eyepiece 10mm --projection 100mm --columns projection_factor,photo_focal
+csv visual 1000mm f/8 --eyepiece 25mm --afocal 50mm --columns photo_focal,photo_fnumber
+try visual 1000mm --eyepiece -10mm --projection 100mm
+try visual 1000mm --eyepiece 10mm --projection 9mm
+try visual 1000mm --eyepiece 0
+csv conjugate --mirror convex -f 32cm --image -19cm --image-height 7cm --columns object_height,image_height
+csv conjugate -f 10cm --object 30cm --image-height 7cm --columns object_height,image_height
+csv conjugate --mirror concave --object 4.2m --magnification -5.2 --from sensor --columns object_distance,radius
+try conjugate --mirror concave -f 1m --object 4.2m --from sensor
+# a metered and a wanted time, a flight without a camera, lenses that shorten, names of flashes
+try exposure --metered 1/125 -t 30s
+csv survey --gsd 3cm -t 1/500 --columns speed,focal,altitude
+csv survey --gsd 3cm -t 1/500 -v 10m/s --columns motion
+try survey --gsd 3cm
+try focus 100mm --mfd 31cm --tube 68mm
+csv focus --magnification 1 --mfd 31cm --tube 68mm --columns magnification
+try flash "SB-800" f/8 --iso 200 --power 1/16
+# the frames of a print
+csv panorama 50mm --sensor "Canon 5D Mark II" --print 3x2m --dpi 300 --columns arc,span,shots,width_px
+csv panorama 50mm --pixels 5616 --print 4x1m --columns shots
+try panorama 50mm --print 3x2m
+try panorama 24mm --pixels 5616 --print 9x1m

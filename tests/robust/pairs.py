@@ -160,7 +160,7 @@ VALUES = {
     "shape": "0.5", "field": "10deg", "field-x": "3deg", "height-x": "2mm", "focus": "best",
     "object-medium": "1.33", "image-medium": "1.33", "steps": "3", "height": "6mm",
     "height/motion": "0.5m", "power/conjugate": "5dpt", "then": "gap=20mm,f=50mm", "refracted": "20deg",
-    "diagram": "rays.svg",
+    "diagram": "rays.svg", "projection/visual": "90mm", "afocal": "7mm", "print/panorama": "1x0.5m", "dpi": "150", "image-height": "8mm",
     "near-point": "200mm", "mirror": "concave", "temperature": "30C", "pressure": "900hPa", "method": "geometric",
     "height/sag": "4mm", "surface": "3", "radius/energy": "4um", "offset/spread": "2um", "draw": "edge", "radius-angle": "0.1mrad", "size": "48", "size/psf": "48", "rays": "30", "points": "5", "energy": "80%", "aim": "entrance",
     "pattern": "hexapolar", "scale/convert": "2", "pitch/psf": "1um", "pitch/render": "3um", "stop-diameter": "9mm",

@@ -252,8 +252,23 @@ static void test_refusals(void)
     CHECK(!panorama_overlap(&(struct panorama_frame){1, 1}, 6, 0, &x, &error));
 }
 
+/* 3 m by 2 m at 300 dpi, 35433 by 23622 pixels, by a lens with 7800 pixels a radian. */
+static void test_print(void)
+{
+    const struct panorama_frame frame = {2 * atan(18 / 50.0), 2 * atan(12 / 50.0)};
+    struct panorama_goal goal = {0, 0, 0.3};
+    struct error error;
+    CHECK(panorama_goal_of_size(&frame, 5616, 35433, 23622, &goal, &error));
+    CHECK_RELATIVE(goal.arc, 35433 / 7800.0, 1e-12, "7800 pixels: 50 mm of 36 mm by 5616");
+    CHECK_RELATIVE(tan(goal.span / 2), 11811 / 7800.0, 1e-12, "half its height, as a tangent");
+    CHECK_NEAR(goal.overlap, 0.3, 0, "as it was");
+    CHECK(!panorama_goal_of_size(&frame, 5616, 49010, 23622, &goal, &error));
+    CHECK(panorama_goal_of_size(&frame, 5616, 49008, 23622, &goal, &error));
+}
+
 int main(void)
 {
+    test_print();
     test_columbia();
     test_angles();
     test_plan();

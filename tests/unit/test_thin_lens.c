@@ -69,8 +69,17 @@ static void test_magnifier(void)
                    "[OpenStax16] ch. 2.7");
 }
 
+/* Jiskha's and others' mirrors that throw an image on a screen. */
+static void test_mirror(void)
+{
+    CHECK_RELATIVE(mirror_object(4200, -5.2), 1000.0, 1e-15, "5.2 m - 1 m: 4.2 m apart");
+    CHECK_RELATIVE(mirror_object(657.74, 0.40625), 467.73, 1e-4, "19 cm behind: 46.77 + 19 cm");
+    CHECK(isinf(mirror_object(1, -1)));
+}
+
 int main(void)
 {
+    test_mirror();
     test_power();
     test_refusals();
     test_magnifier();

@@ -397,6 +397,9 @@ static bool unexpected(const struct arguments *arguments, const struct words *wo
     }
     const bool is_number = word.length > 0 && strchr("+.0123456789", word.start[0]) != NULL;
     const char *values = operands_example(arguments->command, words->arena);
+    if (!is_number && arguments->command->no_operand != NULL) {
+        return error_hint(error, "%s", arguments->command->no_operand);
+    }
     if (is_number && values != NULL) {
         return error_hint(error, "values have units, as in 'lenscalc %s', or options", values);
     }

@@ -81,6 +81,7 @@ struct command {
     const char *group;              /* "photography" */
     const char *summary;            /* one line */
     const struct example *examples; /* ends with null */
+    const char *no_operand;         /* of words that are none of its operands: how they are said */
     const struct option *options;
     size_t option_count;
     size_t input_size;

@@ -50,6 +50,9 @@ static const struct option options[] = {
     {MEASURE(height, length, "mm", "LENGTH"), .name = "height", .letter = 'y',
      .column = "object_height", .flags = OPTION_NO_INFINITY,
      .help = "height of the object: brings that of the image"},
+    {MEASURE(image_height, length, "mm", "LENGTH"), .name = "image-height",
+     .column = "image_height", ABOVE_0, .excludes = "height steps",
+     .help = "size of the image, in place of --height: gives that of the object"},
     {MEASURE(near_point, length, "mm", "LENGTH"), .name = "near-point", .fallback = "250", ABOVE_0,
      .excludes = "lens then mirror",
      .help = "distance at which the naked eye looks, for the power of a magnifier"},
@@ -256,7 +259,10 @@ static bool conjugate_emit_row(const struct lens_case *one, const struct task *t
     };
     row.object = pairs[from][0];
     row.image = pairs[from][1];
-    row.image_height = isnan(task->height) ? NAN : task->height * row.all.magnification;
+    if (!isnan(task->input->image_height)) { /* a size, the orientation says the rest */
+        row.object_height = task->input->image_height / fabs(row.all.magnification);
+    }
+    row.image_height = row.object_height * row.all.magnification;
     /* Brightness with the stop as wide as it is, for the object of the row. */
     struct first_order first;
     first_order_compute(&system, &trace, &object, &first);

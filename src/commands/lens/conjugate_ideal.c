@@ -131,10 +131,16 @@ static bool conjugate_check_ideal(const struct conjugate_input *input, struct er
     if (input->ideal.mirror == MIRROR_NONE) {
         return true;
     }
-    if (input->from != FROM_LENS) {
-        return fail(error, ERROR_USAGE,
-                    "distances of a mirror are measured from it: no {--from} %s",
-                    conjugate_froms[input->from].word);
+    const struct ideal_question *ideal = &input->ideal;
+    const bool is_total = input->from == CONJUGATE_FROM_SENSOR && !isnan(input->object) &&
+                          !isnan(input->magnification) && isnan(ideal->focal) &&
+                          isnan(ideal->power) && isnan(ideal->radius);
+    if (input->from != FROM_LENS && !is_total) {
+        fail(error, ERROR_USAGE, "distances of a mirror are measured from it: no {--from} %s",
+             conjugate_froms[input->from].word);
+        return input->from == CONJUGATE_FROM_SENSOR &&
+               error_hint(error, "from the object to a screen, {--object} needs {--magnification}, "
+                                 "and no focal length or radius");
     }
     return (input->object_medium.record == NULL && input->image_medium.record == NULL) ||
            fail(error, ERROR_USAGE, "a mirror is the same in every medium: no {--%s}",
@@ -145,8 +151,12 @@ static bool conjugate_check_ideal(const struct conjugate_input *input, struct er
 bool conjugate_make_ideal(const struct conjugate_input *input, struct conjugate_input *asked,
                           struct arena *arena, struct error *error)
 {
-    const bool is_total = input->from == CONJUGATE_FROM_SENSOR;
-    const struct thin_lens_given given = {.object = is_total ? NAN : input->object,
+    const bool is_mirror = input->ideal.mirror != MIRROR_NONE;
+    const bool is_total = input->from == CONJUGATE_FROM_SENSOR && !is_mirror;
+    const bool is_reflected = input->from == CONJUGATE_FROM_SENSOR && is_mirror;
+    const double object =
+        is_reflected ? mirror_object(input->object, input->magnification) : input->object;
+    const struct thin_lens_given given = {.object = is_total ? NAN : object,
                                           .image = input->image,
                                           .magnification = input->magnification,
                                           .total = is_total ? input->object : NAN};
@@ -161,12 +171,15 @@ bool conjugate_make_ideal(const struct conjugate_input *input, struct conjugate_
     if (!finds) {
         return true;
     }
-    if (input->from != FROM_LENS && input->from != CONJUGATE_FROM_FRONT && !is_total) {
+    if (is_reflected) {
+        asked->from = FROM_LENS;
+    } else if (input->from != FROM_LENS && input->from != CONJUGATE_FROM_FRONT && !is_total) {
         return fail(error, ERROR_USAGE,
                     "the focal length follows from distances from the lens: no {--from} %s",
                     conjugate_froms[input->from].word);
     }
     /* one of them says where the object is, now that the lens is known */
+    asked->object = object;
     if (is_total) {
         asked->object = NAN;
     } else if (!isnan(input->object)) {

@@ -17,7 +17,7 @@ struct conjugate_input {
     struct lens_question question;
     struct ideal_question ideal;
     double object, image, magnification; /* at most one, two where a focal length is wanted */
-    double height, near_point;
+    double height, image_height, near_point;
     bool steps;
     int from, focus_by;
     const char *gap;
@@ -37,12 +37,13 @@ struct conjugate_row {
 };
 
 #define OBJECT_HEIGHT_COLUMN                                                                       \
-    ENTRY(LENGTH(object_height, "mm"), .name = "object_height", ECHO_WITH("height"),               \
-          .symbol = "h", .label = "object height", .help = "height of the object")
+    ENTRY(LENGTH(object_height, "mm"), .name = "object_height", ECHO_WITH("height image-height"),  \
+          .repeats = "height", .symbol = "h", .label = "object height",                            \
+          .help = "height of the object")
 #define IMAGE_HEIGHT_COLUMN                                                                        \
     ENTRY(LENGTH(image_height, "mm"), .name = "image_height",                                      \
-          BRIEF_WITH("height") | COLUMN_INFINITE, .symbol = "h'", .label = "image height",         \
-          .help = "height of the image; negative upside down")
+          BRIEF_WITH("height image-height") | COLUMN_INFINITE, .symbol = "h'",                     \
+          .label = "image height", .help = "height of the image; negative upside down")
 
 /* The rows of thin lenses and mirrors. */
 extern const struct sheet conjugate_ideal_sheet;

@@ -101,6 +101,8 @@ static const struct column columns[] = {
      .help = "neutral-density filters that come near the wanted time"},
     {TIME(wanted), .name = "wanted", WITH("propose") | COLUMN_ECHO, .label = "wanted time",
      .help = "as --time has it"},
+    {STOPS(stops_wanted), .name = "stops_wanted", BRIEF_WITH("propose"), .symbol = "sw",
+     .label = "stops wanted", .help = "from the time without these filters to the wanted one"},
     {STOPS(longer), .name = "longer", BRIEF_WITH("propose"), .symbol = "dt",
      .label = "longer (+) or shorter (-) than wanted",
      .help = "the time with these filters over the wanted one, in stops"},
@@ -284,6 +286,21 @@ static bool shows_labels(const struct run *run)
            run_shows(run, offsetof(struct exposure_row, residual));
 }
 
+/* --propose, or a metered time beside a wanted one: what asks for filters, said or not. */
+static bool exposure_proposes(const struct exposure_input *input)
+{
+    const struct exposure_given *g = &input->given;
+    return input->propose ||
+           (!isnan(input->metered) && !isnan(g->t) && isnan(g->ev100) && isnan(g->ev) &&
+            isnan(g->L) && isnan(g->E) && input->scene.name == NULL &&
+            isnan(input->corrected_time) && isnan(input->shutter_angle) && !input->equivalent);
+}
+
+static bool exposure_brings(const void *data, const char *option)
+{
+    return strcmp(option, "propose") == 0 && exposure_proposes(data);
+}
+
 /* A time and what takes light of it, and no f-number, speed or light: it was metered without. */
 static void exposure_take_metered(struct exposure_input *own, struct run *run)
 {
@@ -338,7 +355,8 @@ static bool propose_filters(const struct exposure_input *input, const struct pho
     struct exposure_input questions[NEUTRAL_STACKS];
     const char *proposed[NEUTRAL_STACKS];
     size_t count, answered = 0;
-    if (!exposure_propose(input, run->arena, questions, proposed, &count, error)) {
+    double stops = NAN;
+    if (!exposure_propose(input, run->arena, questions, proposed, &count, &stops, error)) {
         return false;
     }
     for (size_t i = 0; i < count; i++) {
@@ -355,6 +373,7 @@ static bool propose_filters(const struct exposure_input *input, const struct pho
         row.proposed = proposed[i];
         row.filter = input->filter.name; /* that was on already */
         row.wanted = input->given.t;
+        row.stops_wanted = stops;
         row.longer = log2(time / row.wanted);
         if (!run_emit(run, &row)) {
             break;
@@ -378,12 +397,11 @@ static bool exposure_row_answer(const void *data, const struct photo_lens *lens,
         return false;
     }
     own.lens.pupil = lens->P;
-    if (!input->propose) {
-        exposure_take_metered(&own, run);
-    }
-    if (input->propose) {
+    if (exposure_proposes(input)) {
+        own.propose = true;
         return propose_filters(input, lens, &rays, run, error);
     }
+    exposure_take_metered(&own, run);
     if (!exposure_fill_row(input, lens, &rays, run, &row, error)) {
         return false;
     }
@@ -421,7 +439,7 @@ static bool exposure_run(const void *data, struct run *run, struct error *error)
 static bool exposure_makes_many(const void *data)
 {
     const struct exposure_input *input = data;
-    return input->equivalent || input->propose || photo_lens_makes_many(&input->lens);
+    return input->equivalent || exposure_proposes(input) || photo_lens_makes_many(&input->lens);
 }
 
 PHOTO_LENS_VARIES(lens)
@@ -489,6 +507,7 @@ const struct command command_exposure = {
     .run = exposure_run,
     .makes_many = exposure_makes_many,
     .varies = varies,
+    .brings = exposure_brings,
     .weight = weight,
     .plot = "time_s|ev100|iso",
     .plot_titles = "Exposure time|Exposure value|Film speed",

@@ -317,6 +317,8 @@ static const struct example examples[] = {
 
 const struct command command_flash = {
     .name = "flash",
+    .no_operand = "flashes have no names here: the guide number of the manual, at ISO 100, is "
+                  "--guide-number 38m",
     COMMAND_OF("photography", "guide number, f-number, distance and power of flashes"),
     .run = flash_run,
     .plot = "distance_m|fnumber",

@@ -216,6 +216,11 @@ static bool focus_row_solve(const struct focus_input *input, const struct photo_
                           "a lens of %.6gmm in reverse in front of this one is {--stacked} %.6gmm",
                           given.s, given.s);
     }
+    if (error->code == ERROR_DOMAIN && !isnan(given.T) && given.T < 4 * lens->f + given.hiatus) {
+        return error_hint(error,
+                          "lenses for close-ups shorten as they focus: without {--focal-length} "
+                          "the magnification there, {--magnification} 1, says to which one");
+    }
     return photo_lens_hint_virtual(lens, given.s, error);
 }
 

@@ -22,6 +22,8 @@ struct panorama_input {
     bool each_row;
     long pixels;                         /* 0 = from the camera */
     double offset, near, far, tolerance; /* parallax */
+    struct size_value print;             /* mm; NaN = not given */
+    double dpi;
 };
 
 #define INPUT struct panorama_input
@@ -67,6 +69,10 @@ static const struct option options[] = {
      ABOVE_0_OR_INFINITE, .fallback = "inf", .wants = "near", .help = "farthest object there"},
     {MEASURE(tolerance, number, NULL, "NUMBER"), .name = "tolerance", ABOVE_0, .fallback = "1",
      .wants = "near", .help = "allowed parallax in pixels"},
+    {ASKED(print), .name = "print", .value = "WxH", .excludes = "arc span rows per-row",
+     .help = "size of a print of it, 3x2m: arc and span follow from its pixels, as a cylinder"},
+    {MEASURE(dpi, number, NULL, "NUMBER"), .name = "dpi", ABOVE_0, .fallback = "300",
+     .wants = "print", .help = "pixels an inch of the print"},
 };
 
 struct panorama_command_row {
@@ -76,8 +82,8 @@ struct panorama_command_row {
     long columns, rows, shots, row, pixels;
     struct panorama_size size;
     double elevation, parallax, parallax_pixels, most_offset, nearest, pupil_distance, offset;
-    double pupil;
-    const char *sensor, *held;
+    double pupil, dpi;
+    const char *sensor, *held, *cylinder;
 };
 
 #define ROW struct panorama_command_row
@@ -90,6 +96,12 @@ struct panorama_command_row {
               .help = "horizontal angle of the panorama"),                                         \
         ENTRY(ANGLE(span), .name = "span", ASSUMED_BY("span") | COLUMN_ECHO, .symbol = "B",        \
               .help = "vertical angle of the panorama")
+
+#define PRINT_COLUMNS                                                                              \
+    ENTRY(SHOWN(dpi), .name = "dpi", ASSUMED_WITH("print", "dpi") | COLUMN_ECHO, .symbol = "Q",    \
+          .label = "pixels an inch", .help = "of the print"),                                      \
+        ENTRY(SHOWN(cylinder), .name = "shape", ASSUMED_WITH("print", "print"),                    \
+              .help = "how the panorama is laid flat for the print")
 
 #define WITH_PIXELS .when = "with --pixels, or a camera of known pixels"
 
@@ -139,6 +151,7 @@ static const struct column columns[] = {
      .label = "pupil before the sensor",
      .help = "thin-lens estimate of what to put between the axis and the sensor mark"},
     COLUMNS_ASSUMED,
+    PRINT_COLUMNS,
     COLUMN_PUPIL(pupil),
 };
 
@@ -243,6 +256,24 @@ static double frame_pixels(const struct panorama_input *input)
                                                              : round(sensor.width / sensor.pitch);
 }
 
+/* The arc and span of a print, of its pixels on a cylinder. */
+static bool panorama_take_print(const struct panorama_input *input,
+                                const struct panorama_command_row *row, double pixels,
+                                struct panorama_goal *goal, struct error *error)
+{
+    const double per_mm = input->dpi / 25.4;
+    if (isnan(input->print.width)) {
+        return true;
+    }
+    if (!(pixels > 0)) {
+        return fail(error, ERROR_USAGE,
+                    "{--print} needs the pixels of a frame: give {--pixels}, or a camera as "
+                    "{--sensor}");
+    }
+    return panorama_goal_of_size(&row->frame, pixels, input->print.width * per_mm,
+                                 input->print.height * per_mm, goal, error);
+}
+
 /* Parallax needs a size in pixels only where it is told in pixels. */
 static bool find_parallax(const struct panorama_input *input, struct panorama_command_row *row,
                           struct error *error)
@@ -316,12 +347,17 @@ static bool panorama_run(const void *data, struct run *run, struct error *error)
         .pupil = input->pupil,
         .sensor = isnan(input->focal.length) ? NULL : input->sensor.name,
         .held = input->portrait ? "portrait" : "landscape",
+        .dpi = input->dpi,
+        .cylinder = "a cylinder",
     };
-    if (!find_frame(input, &row, error) || !panorama_plan(&row.frame, &goal, &plan, error) ||
+    if (!find_frame(input, &row, error) ||
+        !panorama_take_print(input, &row, pixels, &goal, error) ||
+        !panorama_plan(&row.frame, &goal, &plan, error) ||
         (input->rows > 0 &&
          !panorama_set_rows(&row.frame, &goal, (int)input->rows, &plan, error))) {
         return false;
     }
+    row.arc = goal.arc;
     row.span = goal.span;
     if (input->each_row) {
         if (input->per_row > 0) {
@@ -366,6 +402,8 @@ static const struct example examples[] = {
     {"panorama -f 24 --portrait", "a full turn with a 24 mm lens on 35 mm film"},
     {"panorama -f 50 --portrait --arc 120deg --sensor \"Nikon D1\"", "an arc, with pixels"},
     {"panorama -f 20 --portrait --span 180deg --each-row", "the whole sphere, row by row"},
+    {"panorama 50mm --sensor \"Canon 5D Mark II\" --print 3x2m",
+     "how many frames a print of 300 dpi takes"},
     {"panorama -f 100 --arc 60deg --rows 3", "three rows: how high they reach"},
     {"panorama -f 35 --offset 10mm --near 1m --pixels 6000", "off the no-parallax point"},
     {"panorama --horizontal 100deg --vertical 140deg", "a fisheye held upright"},

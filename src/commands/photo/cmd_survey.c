@@ -52,10 +52,11 @@ static const struct option options[] = {
      ABOVE_0 | OPTION_NO_SERIES | OPTION_GOAL, .wants = "overlap", .excludes = "speed",
      .help = "between two pictures, as the camera can: solves for the speed"},
     {MEASURE(blur, pixels, NULL, "PIXELS"), REPEATED("blur"), ABOVE_0, .fallback = "0.5",
-     .wants = "speed|interval", .help = "pixels that the ground may move during an exposure"},
+     .wants = "speed|interval|time", .help = "pixels that the ground may move during an exposure"},
     {MEASURE(time, time, "s", "TIME"), REPEATED("time"), .letter = 't', .quantity = "exposure time",
-     ABOVE_0, .wants = "speed|interval",
-     .help = "exposure time: adds how far the ground moves, 1/1000"},
+     ABOVE_0,
+     .help = "exposure time: adds how far the ground moves, 1/1000; or, alone, gives the highest "
+             "speed"},
 };
 
 struct survey_row {
@@ -86,13 +87,13 @@ static const struct column columns[] = {
      .help = "of each line and the next"},
     {LENGTH(plan.spacing, "m"), .name = "line_spacing", BRIEF_WITH("sidelap"), .symbol = "S",
      .label = "from line to line", .help = "across the track"},
-    {MEASURED(plan.speed, speed, "m_s"), .name = "speed", BRIEF_WITH("speed interval"),
+    {MEASURED(plan.speed, speed, "m_s"), .name = "speed", BRIEF_WITH("speed interval time"),
      .symbol = "v", .help = "over the ground"},
     {MEASURED(plan.interval, time, "s"), .name = "interval",
      WITH("overlap interval") | COLUMN_BRIEF | COLUMN_SPARSE | COLUMN_SPAN, .symbol = "i",
      .label = "photo interval", .when = "with --speed or --interval",
      .help = "from one exposure to the next"},
-    {TIME(plan.longest), .name = "longest", BRIEF_WITH("speed interval"), .symbol = "tl",
+    {TIME(plan.longest), .name = "longest", BRIEF_WITH("speed interval time"), .symbol = "tl",
      .label = "longest exposure", .help = "with no more blur than that"},
     {TIME(time), .name = "time", ECHO_WITH("time"), .symbol = "t", .label = "exposure time",
      .help = "exposure time"},
@@ -104,8 +105,8 @@ static const struct column columns[] = {
     {SHOWN(along), .name = "along", ASSUMED_WITH("overlap sidelap", "along"),
      .label = "side along the track", .help = "side of the picture"},
     {MEASURED(blur, pixels, "px"), .name = "blur",
-     ASSUMED_WITH("speed interval", "blur") | COLUMN_ECHO, .symbol = "b", .label = "blur at most",
-     .help = "during an exposure"},
+     ASSUMED_WITH("speed interval time", "blur") | COLUMN_ECHO, .symbol = "b",
+     .label = "blur at most", .help = "during an exposure"},
 };
 
 /* The focal length, given or that of a camera whose lens is fixed. */
@@ -117,6 +118,39 @@ static bool survey_focal(const struct survey_input *input, double *focal, struct
                 "give {--focal-length}, or a drone with a lens of its own as {--sensor}");
 }
 
+/* A ground sample and no camera: what follows of the flight alone. */
+static bool survey_is_bare(const struct survey_input *input)
+{
+    return is_given(input->gsd) && !is_given(input->altitude) && input->sensor.is_fallback &&
+           !is_given(input->focal.length) && !is_given(input->focal.equivalent) &&
+           !is_given(input->pitch) && !pixels_given(&input->pixels) && !is_given(input->overlap) &&
+           !is_given(input->sidelap) && (is_given(input->speed) || is_given(input->time));
+}
+
+/* The camera, and what it sees of the ground. */
+static bool survey_look(const struct survey_input *input, struct survey_row *row, struct run *run,
+                        struct error *error)
+{
+    const struct pixels_question pixels = {input->pixels, input->pitch, false};
+    struct sensor_value sensor = input->sensor;
+    struct fov fov;
+    if (!pixels_settle(&pixels, &sensor, run->arena, run->doubts, error) ||
+        !survey_focal(input, &row->focal, error)) {
+        return false;
+    }
+    row->sensor = sensor.name;
+    row->pitch = sensor.size.pitch;
+    sharpness_doubt_pitch(&(struct sharpness){.sensor = sensor, .pitch = NAN}, run->doubts);
+    const struct fov_setting lens = {RECTILINEAR, row->focal, INFINITY, 1, 1};
+    if (!is_given(row->pitch)) {
+        return fail(error, ERROR_USAGE,
+                    "ground sampling needs pixels: give {--pitch}, {--pixels}, or a camera as "
+                    "{--sensor}");
+    }
+    return fov_compute(&lens, &sensor.size, &fov, error) &&
+           fov_ground(&lens, &fov, row->pitch, &row->ground, error);
+}
+
 static bool survey_run(const void *data, struct run *run, struct error *error)
 {
     const struct survey_input *input = data;
@@ -125,27 +159,12 @@ static bool survey_run(const void *data, struct run *run, struct error *error)
         .sidelap = input->sidelap,
         .blur = input->blur,
         .time = input->time,
+        .focal = NAN,
+        .pitch = NAN,
         .ground = {input->altitude, input->gsd, NAN, NAN},
         .along = sides[input->along].word,
     };
-    const struct pixels_question pixels = {input->pixels, input->pitch, false};
-    struct sensor_value sensor = input->sensor;
-    struct fov fov;
-    if (!pixels_settle(&pixels, &sensor, run->arena, run->doubts, error) ||
-        !survey_focal(input, &row.focal, error)) {
-        return false;
-    }
-    row.sensor = sensor.name;
-    row.pitch = sensor.size.pitch;
-    sharpness_doubt_pitch(&(struct sharpness){.sensor = sensor, .pitch = NAN}, run->doubts);
-    const struct fov_setting lens = {RECTILINEAR, row.focal, INFINITY, 1, 1};
-    if (!is_given(row.pitch)) {
-        return fail(error, ERROR_USAGE,
-                    "ground sampling needs pixels: give {--pitch}, {--pixels}, or a camera as "
-                    "{--sensor}");
-    }
-    if (!fov_compute(&lens, &sensor.size, &fov, error) ||
-        !fov_ground(&lens, &fov, row.pitch, &row.ground, error)) {
+    if (!survey_is_bare(input) && !survey_look(input, &row, run, error)) {
         return false;
     }
     const bool is_wide = input->along == TRACK_WIDTH;
@@ -185,6 +204,7 @@ static const struct example examples[] = {
     {"survey Mavic 3 --gsd 2cm", "the altitude for 2 cm"},
     {"survey Mavic 3 --altitude 100m --overlap 80% --sidelap 70% -v 10m/s",
      "a plan: intervals, lines, shutter"},
+    {"survey --gsd 3cm -t 1/500", "the fastest flight for an exposure, whatever the camera"},
     {"survey Mavic 3 --altitude 60m,120m --overlap 80% --interval 2s",
      "how fast to fly with two seconds a picture"},
     {"survey -f 35 --sensor 35mm --pixels 8192x5460 --altitude 100m -v 15m/s -t 1/1000",

@@ -17,6 +17,7 @@ struct visual_input {
     double obstruction, secondary; /* of the diameter; mm */
     double eye_pupil, naked_eye, wavelength;
     double back_focus, filter, filter_index; /* mm */
+    double projection, afocal;               /* of a camera behind the eyepiece, mm */
 };
 
 #define INPUT struct visual_input
@@ -38,8 +39,10 @@ static const struct option options[] = {
     {MEASURE(setting.fnumber, fnumber, NULL, "NUMBER"), .name = "aperture", .letter = 'N',
      .quantity = "f-number", .column = "fnumber", ABOVE_0,
      .no_number = "the diameter is --diameter 200mm", .help = "f-number of the telescope: f/6"},
-    {MEASURE(eyepiece, length, "mm", "LENGTH|LENS"), REPEATED("eyepiece"), ABOVE_0,
-     .help = "focal length of the eyepiece, or several: 25,10,5; or a real one as --lens has it"},
+    {MEASURE(eyepiece, length, "mm", "LENGTH|LENS"), REPEATED("eyepiece"),
+     .flags = OPTION_NO_INFINITY,
+     .help = "focal length of the eyepiece, or several: 25,10,5; below 0 of a Galilean telescope, "
+             "an opera glass; or a real one as --lens has it"},
     {ASKED(lens.lens), .name = "lens", .letter = 'l', .value = "LENS", .column = "lens_name",
      .flags = OPTION_FILE, .types = lens_types, .excludes = "eyepiece exit-pupil power",
      .help = "a real eyepiece, from the eye to its field stop: a name (list lenses), a file, or -"},
@@ -89,6 +92,12 @@ static const struct option options[] = {
     {MEASURE(filter_index, number, NULL, "INDEX"), .name = "filter-index", .column = "filter_index",
      .lowest = 1, .highest = 5, .fallback = "1.52", .wants = "back-focus",
      .help = "refractive index of the filters"},
+    {MEASURE(projection, length, "mm", "LENGTH"), REPEATED("projection"), ABOVE_0,
+     .wants = "eyepiece|lens|power|exit-pupil", .excludes = "afocal binoculars",
+     .help = "eyepiece projection: from the eyepiece to the sensor of a camera without a lens"},
+    {MEASURE(afocal, length, "mm", "LENGTH"), REPEATED("afocal"), ABOVE_0,
+     .wants = "eyepiece|lens|power|exit-pupil|binoculars",
+     .help = "focal length of a camera's or phone's lens held behind the eyepiece"},
 };
 
 struct visual_row {
@@ -103,6 +112,10 @@ struct visual_row {
     struct visual_eye eye;
     double lowest_eyepiece, highest_eyepiece;
     double back_focus, filter, filter_index, spacing;
+    double separation, pupil_place;
+    const char *image;
+    double projection, afocal;
+    struct visual_camera camera;
     struct photo_real real;
 };
 
@@ -144,6 +157,26 @@ static const struct column columns[] = {
     {LENGTH(eye_relief, "mm"), .name = "eye_relief", WITH("lens eyepiece") | COLUMN_SPARSE,
      .symbol = "er", .label = "eye relief",
      .help = "exit pupil behind the last surface of the real eyepiece"},
+    {LENGTH(separation, "mm"), .name = "separation", KNOWN, .symbol = "L",
+     .label = "from objective to eyepiece", .help = "of thin lenses, focused on the far"},
+    {LENGTH(pupil_place, "mm"), .name = "exit_pupil_place", KNOWN, .symbol = "x",
+     .label = "exit pupil behind the eyepiece",
+     .help = "of a thin eyepiece; below 0 it lies inside, as in a Galilean telescope"},
+    {SHOWN(image), .name = "image", KNOWN, .label = "image is",
+     .help = "upright or inverted, without a prism or diagonal mirror"},
+    {LENGTH(afocal, "mm"), .name = "afocal", ECHO_WITH("afocal"), .symbol = "fc",
+     .label = "lens of the camera", .help = "its focal length"},
+    {LENGTH(projection, "mm"), .name = "projection", ECHO_WITH("projection"), .symbol = "v",
+     .label = "eyepiece to sensor", .help = "from the eyepiece to the sensor"},
+    {SHOWN(camera.factor), .name = "projection_factor", BRIEF_WITH("projection afocal"),
+     .symbol = "k", .label = "projection factor",
+     .help = "focal length with the camera over that of telescope and Barlow lens"},
+    {LENGTH(camera.focal, "mm"), .name = "photo_focal",
+     BRIEF_WITH("projection afocal") | COLUMN_SPARSE, .symbol = "F",
+     .label = "focal length for photographs", .help = "of telescope, eyepiece and camera together"},
+    {SHOWN(camera.fnumber), .name = "photo_fnumber",
+     BRIEF_WITH("projection afocal") | COLUMN_SPARSE, .symbol = "Np",
+     .label = "f-number for photographs", .help = "of all of it, no pupil cut"},
     {ANGLE(field.true_field), .name = "true_field", KNOWN_BRIEF, .symbol = "tf",
      .label = "true field", .help = "full angle that is seen; by which rule is said below"},
     {ANGLE(field.true_by_ratio), .name = "true_field_ratio", KNOWN, .symbol = "tfr",
@@ -368,6 +401,41 @@ static void visual_fill_relief(const struct photo_lens *eyepiece, bool is_change
     }
 }
 
+/* Where its lenses and its exit pupil are, and what a camera behind it makes of them. */
+static bool visual_fill_camera(const struct visual_input *input, bool is_galilean,
+                               struct visual_row *row, struct run *run, struct error *error)
+{
+    const bool is_changed = is_given(input->barlow) || is_given(input->reducer);
+    struct visual_setting *setting = &row->setting;
+    if (row->binoculars == NULL && is_given(setting->power)) {
+        row->image = is_galilean ? "upright" : "inverted";
+    }
+    if (is_galilean) {
+        setting->eyepiece = -setting->eyepiece;
+        warnings_add(run->doubts,
+                     "a diverging eyepiece: the exit pupil lies inside the telescope, where no eye "
+                     "can be; the objective bounds the field, softly");
+    }
+    if (!is_changed) { /* a Barlow lens stands between them */
+        row->separation = setting->focal + setting->eyepiece;
+        row->pupil_place = visual_pupil_place(setting->focal, setting->eyepiece);
+    }
+    if (!is_given(input->projection) && !is_given(input->afocal)) {
+        return true;
+    }
+    if (is_galilean && is_given(input->projection)) {
+        return fail(error, ERROR_DOMAIN,
+                    "a diverging {--eyepiece} projects no image: {--barlow} takes its factor");
+    }
+    const struct visual_camera_given given = {.focal = row->whole,
+                                              .diameter = setting->diameter,
+                                              .eyepiece = setting->eyepiece,
+                                              .power = setting->power,
+                                              .projection = input->projection,
+                                              .afocal = input->afocal};
+    return visual_photograph(&given, &row->camera, error);
+}
+
 static bool visual_answer(const void *data, const struct photo_lens *eyepiece, struct run *run,
                           struct error *error)
 {
@@ -381,6 +449,11 @@ static bool visual_answer(const void *data, const struct photo_lens *eyepiece, s
         .back_focus = input->back_focus,
         .filter = input->filter,
         .filter_index = input->filter_index,
+        .separation = NAN,
+        .pupil_place = NAN,
+        .projection = input->projection,
+        .afocal = input->afocal,
+        .camera = {NAN, NAN, NAN},
         .real = *eyepiece->real,
     };
     struct visual_setting *setting = &row.setting;
@@ -391,7 +464,8 @@ static bool visual_answer(const void *data, const struct photo_lens *eyepiece, s
         setting->power = input->binoculars.power;
         setting->diameter = input->binoculars.number;
     }
-    setting->eyepiece = eyepiece->lens != NULL ? eyepiece->f : input->eyepiece.focal;
+    const double fe = eyepiece->lens != NULL ? eyepiece->f : input->eyepiece.focal;
+    setting->eyepiece = fabs(fe); /* the power is a size */
     if (!visual_solve(setting, error)) {
         return false;
     }
@@ -405,6 +479,9 @@ static bool visual_answer(const void *data, const struct photo_lens *eyepiece, s
     row.whole_fnumber = setting->fnumber * setting->barlow;
     if (eyepiece->lens != NULL) {
         visual_fill_relief(eyepiece, is_changed, &row, run);
+    }
+    if (!visual_fill_camera(input, fe < 0, &row, run, error)) {
+        return false;
     }
     row.spacing = input->back_focus + visual_filter_shift(input->filter, input->filter_index);
     if (!visual_fill_field(input, eyepiece, &row, error) ||
@@ -433,6 +510,13 @@ static bool visual_run(const void *data, struct run *run, struct error *error)
 static const struct explanation explanations[] = {
     {"power eyepiece", "M = {f} {B}/{fe}", "[Smith08]", NULL},
     {"exit_pupil", "ep = {D}/{M}", "[Smith08]", NULL},
+    {"separation", "L = {f} + {fe}", "[Smith08]", "thin lenses, focused on the far"},
+    {"exit_pupil_place", "x = {fe} ({f} + {fe})/{f}", "[Smith08], the image of the objective",
+     "thin lenses"},
+    {"projection_factor projection", "k = {v}/{fe} - 1", "thin lens 1/fe = 1/u + 1/v, k = v/u",
+     "thin lens"},
+    {"projection_factor !projection", "k = {fc}/{fe}", "two lenses with parallel light between",
+     "the camera's lens focused at infinity"},
     {"true_field true_field_from=field-stop", "tf = 2 atan({s}/(2 {f} {B}))",
      "geometry; makers write s/f x 57.3 deg", "an image without distortion"},
     {"true_field_ratio", "tfr = {af}/{M}", "rule of the makers of eyepieces",
@@ -476,6 +560,9 @@ static const struct example examples[] = {
     {"visual 10x42 --field 6.5deg", "binoculars"},
     {"visual 8x42 --field-width 330ft --at 1000yd --eye-pupil 3mm", "and by day"},
     {"visual --telescope 1000 --diameter 100 --eyepiece erfle-eyepiece", "a real eyepiece"},
+    {"visual 30cm --eyepiece -5cm", "a Galilean telescope"},
+    {"visual 1000mm f/8 --eyepiece 10mm --projection 100mm", "a camera behind the eyepiece"},
+    {"visual 1000mm f/8 --eyepiece 25mm --afocal 6.9mm", "or a phone, with its own lens"},
     {"visual --diameter 150 --back-focus 55mm --filter-thickness 3mm", "where a camera stands"},
     {NULL, NULL},
 };

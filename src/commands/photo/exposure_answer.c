@@ -48,6 +48,7 @@ static void exposure_answer_begin_row(const struct exposure_input *input,
         .pupil = NAN,
         .wanted = NAN,
         .longer = NAN,
+        .stops_wanted = NAN,
     };
 }
 
@@ -128,12 +129,6 @@ static bool solve_metered(const struct exposure_input *input, struct exposure_gi
                           struct exposure_row *row, struct error *error)
 {
     bool corrects = !isnan(input->corrected_time) || !isnan(input->shutter_angle);
-    if (!isnan(g->t) && exposure_answer_count_lights(g) == 0) {
-        return fail(
-            error, ERROR_USAGE,
-            "{--metered} stands in place of {--time}; with {--propose} it finds the filters "
-            "that make this {--time} of it");
-    }
     if (exposure_answer_count_lights(g) > 0 || !isnan(g->t) || corrects || input->equivalent) {
         return fail(error, ERROR_USAGE,
                     "{--metered} stands in place of {--time}, {--corrected-time}, "

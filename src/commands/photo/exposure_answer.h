@@ -66,6 +66,7 @@ struct exposure_row {
     /* of a question which filters to put on */
     const char *proposed;
     double wanted, longer; /* s, stops */
+    double stops_wanted;   /* all that is to be taken off */
 };
 
 /* Is an exposure asked for at all, or only what lamps do, perhaps in a given time? */
@@ -78,13 +79,15 @@ bool exposure_is_asked(const struct exposure_input *input);
  *           arena      of what is found
  *           questions  receives them, each to be answered by exposure_answer
  *           proposed   receives the filters of each
+ *           stops      receives what is to be taken off, as metered
  *           count      receives their number, 1 to NEUTRAL_STACKS
  * Errors    ERROR_USAGE: no --time, or nothing to find it by; ERROR_DOMAIN: the time is as long
  *           without a filter; as exposure_answer and neutral_stacks
  */
 bool exposure_propose(const struct exposure_input *input, struct arena *arena,
                       struct exposure_input questions[NEUTRAL_STACKS],
-                      const char *proposed[NEUTRAL_STACKS], size_t *count, struct error *error);
+                      const char *proposed[NEUTRAL_STACKS], size_t *count, double *stops,
+                      struct error *error);
 
 /* A row without an exposure but its time. Errors as shutter_solve. */
 bool exposure_blank(const struct exposure_input *input, struct exposure_row *row,

@@ -60,17 +60,17 @@ static bool wanted_stops(const struct exposure_input *bare, double wanted, doubl
 
 bool exposure_propose(const struct exposure_input *input, struct arena *arena,
                       struct exposure_input questions[NEUTRAL_STACKS],
-                      const char *proposed[NEUTRAL_STACKS], size_t *count, struct error *error)
+                      const char *proposed[NEUTRAL_STACKS], size_t *count, double *stops,
+                      struct error *error)
 {
     struct exposure_input bare = *input;
     struct loss_value *filters;
     struct neutral_stack stacks[NEUTRAL_STACKS];
-    double wanted = NAN;
     if (isnan(input->given.t)) {
         return fail(error, ERROR_USAGE, "{--propose} needs the wanted time: {--time}");
     }
     bare.given.t = NAN;
-    if (!wanted_stops(&bare, input->given.t, &wanted, error)) {
+    if (!wanted_stops(&bare, input->given.t, stops, error)) {
         return false;
     }
     const size_t there = filters_at_hand(input, arena, &filters);
@@ -78,7 +78,7 @@ bool exposure_propose(const struct exposure_input *input, struct arena *arena,
     for (size_t i = 0; i < there; i++) {
         strengths[i] = filters[i].stops;
     }
-    if (!neutral_stacks(strengths, there, NEUTRAL_FILTERS, wanted, stacks, count, error)) {
+    if (!neutral_stacks(strengths, there, NEUTRAL_FILTERS, *stops, stacks, count, error)) {
         return false;
     }
     for (size_t i = 0; i < *count; i++) {
