@@ -154,16 +154,15 @@ static void test_lengths(void)
 static void test_camera(void)
 {
     struct visual_camera camera;
-    struct error error;
     struct visual_camera_given given = {1000, NAN, 10, 100, 100, NAN};
     CHECK(visual_photograph(&given, &camera, &error));
-    CHECK_RELATIVE(camera.focal, 9000, 1e-15, "astroleague.org: 100 mm behind 10 mm, 100/10 - 1");
+    CHECK_RELATIVE(camera.focal, 9000.0, 1e-15, "astroleague.org: 100 mm behind 10 mm, 100/10 - 1");
     CHECK(isnan(camera.fnumber));
     given = (struct visual_camera_given){1000, 125, 25, 40, NAN, 50};
     CHECK(visual_photograph(&given, &camera, &error));
-    CHECK_RELATIVE(camera.focal, 2000, 1e-15, "40 times 50 mm");
-    CHECK_RELATIVE(camera.fnumber, 16, 1e-15, "over 125 mm");
-    CHECK_RELATIVE(camera.factor, 2, 1e-15, "50 by 25");
+    CHECK_RELATIVE(camera.focal, 2000.0, 1e-15, "40 times 50 mm");
+    CHECK_RELATIVE(camera.fnumber, 16.0, 1e-15, "over 125 mm");
+    CHECK_RELATIVE(camera.factor, 2.0, 1e-15, "50 by 25");
     given = (struct visual_camera_given){1000, 125, 25, 40, 25, NAN};
     CHECK(!visual_photograph(&given, &camera, &error));
     given.eyepiece = NAN;
