@@ -145,3 +145,11 @@ csv panorama 50mm --sensor "Canon 5D Mark II" --print 3x2m --dpi 300 --columns a
 csv panorama 50mm --pixels 5616 --print 4x1m --columns shots
 try panorama 50mm --print 3x2m
 try panorama 24mm --pixels 5616 --print 9x1m
+# marked without an aperture, tubes added up, a width as --fov, a flag that is a column, cameras as words
+csv microscope 100x --na 1.0 -w 500nm --columns rayleigh,abbe
+try microscope 100x/1.25 --na 1.0
+try focus 50mm --tube 12mm+20mm+36mm
+csv fov --sensor 2/3 --fov 100mm -s 300mm --columns focal
+try fov --sensor 2/3 --fov 60deg -s 300mm
+try dof 55mm f/22 --sensor aps-c --hyperfocal
+try equivalent "iPhone 15 Pro"

@@ -215,9 +215,11 @@ static bool arguments_take(const struct arguments *arguments, struct argument *a
     if (!is_flag(argument) && text.start == NULL) {
         if (words->at == words->count || names_option(arguments, words->all[words->at])) {
             const bool is_called = argument->called != NULL;
-            return fail(error, ERROR_USAGE, "%s%s needs a value: %s", is_called ? "" : "--",
-                        is_called ? argument->called : name,
-                        argument->option->value != NULL ? argument->option->value : "VALUE");
+            const struct option *option = argument->option;
+            fail(error, ERROR_USAGE, "%s%s needs a value: %s", is_called ? "" : "--",
+                 is_called ? argument->called : name,
+                 option->value != NULL ? option->value : "VALUE");
+            return option->no_number != NULL && error_hint(error, "%s", option->no_number);
         }
         text = text_of(words->all[words->at++]);
     }
@@ -397,6 +399,12 @@ static bool unexpected(const struct arguments *arguments, const struct words *wo
     }
     const bool is_number = word.length > 0 && strchr("+.0123456789", word.start[0]) != NULL;
     const char *values = operands_example(arguments->command, words->arena);
+    const struct argument *sensor = arguments_find(arguments, text_of("sensor"));
+    if (!is_number && sensor != NULL && sensor->option->kind == &kind_sensor && !sensor->is_given &&
+        word.length > 0 && !char_is_digit(word.start[0])) {
+        return error_hint(error, "a camera or format by its name is --sensor \"%.*s\"",
+                          text_shown(word), word.start);
+    }
     if (!is_number && arguments->command->no_operand != NULL) {
         return error_hint(error, "%s", arguments->command->no_operand);
     }

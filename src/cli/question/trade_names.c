@@ -61,6 +61,10 @@ const struct trade_name trade_aliases[] = {
     {"size subjectsize", "subject-size", NULL, NULL, NULL},
     {"fov fieldofview", "field-width", "motion", NULL, NULL},
     {"angle totalangle", "arc", "panorama", NULL, NULL},
+    {"fov fieldofview", "field-width", "fov",
+     "--fov was read as --field-width, the width of what is seen; an angle is --horizontal, "
+     "--vertical or --diagonal",
+     NULL},
     {"ppf pixelsperfoot", "density", NULL, NULL, "%px/ft"},
     {"in", "medium", "lensmaker", NULL, NULL},
     {"biconvex biconcave equiconvex equiconcave symmetric", "shape", "lensmaker",

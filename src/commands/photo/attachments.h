@@ -23,6 +23,7 @@ struct attachments {
 
 #define OPTION_TUBE(member)                                                                        \
     ENTRY(MEASURE(member, length, "mm", "LENGTH"), REPEATED("tube"), FROM_0,                       \
+          .no_number = "of several tubes the sum: 12 mm and 20 mm are 32mm",                       \
           .help = "extension tube or bellows; for several, the sum")
 
 #define OPTION_CONVERTER(member)                                                                   \

@@ -36,6 +36,7 @@ static const struct option options[] = {
      ABOVE_0_OR_INFINITE | OPTION_GOAL, .help = "wanted depth of field"},
     {MEASURE(targets.hyperfocal, length, "m", "LENGTH"), REPEATED("hyperfocal"),
      .quantity = "hyperfocal distance", ABOVE_0_OR_INFINITE | OPTION_GOAL,
+     .no_number = "that of a lens and an f-number is in the answer of lenscalc hyperfocal",
      .help = "wanted hyperfocal distance"},
     {MEASURE(targets.magnification, ratio, NULL, "RATIO"), REPEATED("magnification"), .letter = 'm',
      FROM_0 | OPTION_GOAL, .help = "wanted magnification: 1:2 or 0.5"},

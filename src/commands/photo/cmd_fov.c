@@ -58,6 +58,7 @@ static const struct option options[] = {
      .value = "WxH", .help = "wanted field, 100x75mm: its width and height at once"},
     {MEASURE(field_width, length, "m", "LENGTH"), .name = "field-width",
      .quantity = "width of the field", .column = "field_width",
+     .no_number = "an angle of view is --horizontal 60deg, --vertical or --diagonal",
      ABOVE_0 | OPTION_GOAL | OPTION_GOAL_OF_TWO,
      .help = "wanted width of the field: with -s solves for the focal length, with -f for the "
              "distance, with both for the sensor"},

@@ -33,13 +33,13 @@ struct microscope_input {
 
 static const struct option options[] = {
     {ASKED(objective), .name = "objective", .value = "POWERx/NA",
-     .flags = OPTION_OPERAND | OPTION_REST, .excludes = "magnification na",
+     .flags = OPTION_OPERAND | OPTION_REST, .excludes = "magnification",
      .help = "the objective as it is marked: 40x/0.65, \"100x/1.25 oil\""},
     {MEASURE(magnification, ratio, NULL, "FACTOR"), REPEATED("magnification"), .letter = 'm',
      ABOVE_0, .help = "magnification of the objective, in place of --objective"},
     {MEASURE(na, number, NULL, "NA"), REPEATED("na"), .quantity = "numerical aperture", ABOVE_0,
      .usual = {0, 1.7}, .unusual = "numerical apertures are below 1.7",
-     .help = "its numerical aperture, in place of --objective"},
+     .help = "its numerical aperture, where --objective does not say it"},
     {MEASURE(resolution, length, "um", "LENGTH"), REPEATED("resolution"), ABOVE_0,
      .excludes = "objective na condenser",
      .help = "wanted Rayleigh limit at the specimen: solves for the numerical aperture"},
@@ -208,6 +208,13 @@ static bool microscope_find_objective(const struct microscope_input *input,
     const bool is_marked = input->objective.name != NULL;
     double marked = is_marked ? input->objective.power : input->magnification;
     row->setting.na = is_marked ? input->objective.number : input->na;
+    if (is_marked && is_given(input->na) && is_given(input->objective.number)) {
+        return fail(error, ERROR_USAGE, "{objective} '%s' says its aperture already: no {--na}",
+                    input->objective.name);
+    }
+    if (is_given(input->na)) {
+        row->setting.na = input->na;
+    }
     if (is_given(input->resolution)) {
         row->setting.na = microscope_aperture_for(input->resolution, 1000 * input->wavelength);
     }
