@@ -402,7 +402,7 @@ static bool unexpected(const struct arguments *arguments, const struct words *wo
     const struct argument *sensor = arguments_find(arguments, text_of("sensor"));
     if (!is_number && sensor != NULL && sensor->option->kind == &kind_sensor && !sensor->is_given &&
         word.length > 0 && !char_is_digit(word.start[0]) &&
-        memchr(word.start, '/', word.length) == NULL) {
+        memchr(word.start, ' ', word.length) != NULL) {
         return error_hint(error, "a camera or format by its name is --sensor \"%.*s\"",
                           text_shown(word), word.start);
     }
