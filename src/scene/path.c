@@ -44,7 +44,11 @@ static void path_add_emission(struct path_state *state, const struct world_hit *
 {
     const struct lights *lights = state->lights;
     const struct materials *materials = &lights->materials;
+    const bool *left_out = lights == state->path->seen ? state->path->is_left_out : NULL;
     struct radiance light = {{0}};
+    if (hit != NULL && left_out != NULL && left_out[hit->thing]) {
+        return;
+    }
     if (hit == NULL) {
         lights_background(lights, state->ray.direction, state->lanes, &light);
     } else if (materials_shines(materials, hit->thing)) {

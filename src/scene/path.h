@@ -19,6 +19,7 @@ struct path {
        counts what path_power_heuristic says, by the pdf of the rays that begin paths, per sr */
     const struct lights *seen;
     double pdf;
+    const bool *is_left_out; /* things whose light rays that begin paths leave out; null: none */
 };
 
 /* Multiple importance sampling: the weight of light sampled by one pdf that another one samples

@@ -98,6 +98,39 @@ def check_confusion(studio):
                                 f"{found:.4f} at {k * 0.3} of the blur's, expected {known:.4f}")
 
 
+def check_flux(studio):
+    """
+    All light of a sphere through a stop in front of a real lens, in focus and out of it: the
+    sphere's view of a coaxial disc, (1 - d/sqrt(d^2 + a^2))/2, exact for any radius; and by the
+    noise of few samples that blurs are even.
+    """
+    distance, radius, a = 1000, 0.1, PUPIL / 2
+    with open(os.path.join(studio.folder, "before.lens"), "w", encoding="utf-8") as file:
+        file.write("lens before\naperture stop\nfocus paraxial\nstop - 3 air 12.5\n"
+                   "surface 120 5 N-BK7 30\nsurface -60 0 air 30\n")
+    flux = 2 * math.pi ** 2 * radius ** 2 * 1000 * (1 - distance / math.hypot(distance, a))
+    for focus in 1000, 600, 3000:
+        pitch = 0.1
+        rows = studio.take(AHEAD + LAMP + f"sphere material=lamp radius={radius} "
+                           f"at=0,0,{-distance}\n", "--lens", "before.lens", "-s", f"{focus}mm",
+                           *square(pitch), "--samples", "64")
+        if rows is not None:
+            found = pitch ** 2 * sum(pixel[1] for row in rows for pixel in row)
+            studio.near(found, flux, 1e-3, f"flux of a sphere, focused on {focus} mm")
+    blur = PUPIL * F * 2000 / (3000 * (1000 - F))
+    pitch = blur * 1.5 / SIDE
+    rows = studio.take(AHEAD + LAMP + "sphere material=lamp radius=2 at=0,0,-3000\n", "--lens",
+                       "hand.lens", "--model", "thin", "-s", "1000mm", "-N", "4", "--samples",
+                       "64", *square(pitch))
+    if rows is not None:
+        # well within it: flux over area, and the cosine's fourth power is 1 to 1e-4
+        inside = [pixel[1] for j, row in enumerate(rows) for i, pixel in enumerate(row)
+                  if math.hypot(i + 0.5 - SIDE / 2, j + 0.5 - SIDE / 2) * pitch < 0.4 * blur]
+        mean = sum(inside) / len(inside)
+        noise = math.sqrt(sum((v / mean - 1) ** 2 for v in inside) / (len(inside) - 1))
+        studio.checks.check(noise < 0.03, f"noise within a blur: {noise:.4f}, at most 0.03")
+
+
 def check_marginal(studio):
     """Far behind its focus a real lens leaves a disc as wide as its marginal rays are apart."""
     lens = Singlet((80, -300), 6, (1.62, 50), 3, 16)
@@ -244,7 +277,7 @@ def main():
             file.write(HAND)
         row = program.rows("lens", "double-gauss-50")[0]
         studio.pupil_from_h = float(row["front_principal_mm"]) - float(row["entrance_pupil_mm"])
-        for check in (check_confusion, check_marginal, check_blades, check_axial,
+        for check in (check_confusion, check_flux, check_marginal, check_blades, check_axial,
                       check_perspective, check_focus):
             check(studio)
     return checks.finish()

@@ -42,6 +42,12 @@ CASES = {
     "time": [(r"time: all rays", "room.scene --lens double-gauss-50 --size 32x24")],
     "secondary": [(r"secondary: light that shines alone", "lamps.scene --lens double-gauss-50 "
                                                           "--size 32x24")],
+    # out of focus, one moves; through a slit and blades; of many colours
+    "lamps": [(r"lamps: [23] by [1-9]", "bulbs.scene --lens double-gauss-50 --size 48x32"),
+              (r"lamps: [23] by [1-9]", "bulbs.scene --lens double-gauss-50 --size 48x32 --blades 5 "
+                                     "--shutter focal --travel-time 12ms --curtain-distance 2mm"),
+              (r"lamps: [23] by [1-9]", "bulbs.scene --lens double-gauss-50 --size 48x32 --spectral "
+                                     "--acceptance 9")],
 }
 # the same skips elsewhere, too long for every day
 MORE = {
@@ -96,6 +102,9 @@ SCENES = {
     "cards.scene": "".join(f"card size=0.1,0.1 at={1 + i / 7},{0.6 + k / 7},0 turn=0,0,13 "
                            "material=lamp\n" for i in range(4) for k in range(3)),
     "dot.scene": "card size=0.06,0.06 at=1.32,0.87,0 turn=0,0,13 material=lamp\n",
+    "bulbs.scene": "sphere radius=0.08 at=0.6,0.3,-9 material=red\ndisc radius=0.06 at=-0.8,0.2,-8 "
+                   "material=lamp move=90,30,0\ncard size=0.1,0.1 at=0.2,-0.9,-10 "
+                   "material=lamp\nsphere radius=0.4 at=-0.3,-0.2,0 material=grey\n",
     "specks.scene": "sphere radius=0.1 at=0.3,0.2,0 material=red\n"
                     "card size=0.2,0.3 at=-0.5,0,0 material=lamp\n",
 }

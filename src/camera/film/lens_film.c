@@ -71,32 +71,30 @@ static void find_rectangle(struct lens_film *film)
     }
 }
 
-/* Systems towards the scene, at all wavelengths: with blades in the stop, if there are any. */
-static bool lens_film_open_systems(const struct film_question *question, struct arena *arena,
-                                   struct lens_film *film, struct error *error)
+struct ray_model *lens_film_models(const struct film_question *question, unsigned way,
+                                   struct arena *arena, struct error *error)
 {
     const struct setup *setup = question->setup;
     const unsigned which =
-        SETUP_CLIPPED | SETUP_REVERSED | (question->model == MODEL_PARAXIAL ? SETUP_PARAXIAL : 0);
+        SETUP_CLIPPED | way | (question->model == MODEL_PARAXIAL ? (unsigned)SETUP_PARAXIAL : 0);
     const bool has_blades = question->blades.count > 0;
     struct lens *bladed = ARENA_NEW(arena, struct lens);
     if (has_blades && !blades_stop(setup->lens, &question->blades, setup_stop_radius(setup), arena,
                                    bladed, error)) {
-        return false;
+        return NULL;
     }
-    film->models = ARENA_ARRAY(arena, setup->wavelength_count, struct ray_model);
+    struct ray_model *models = ARENA_ARRAY(arena, setup->wavelength_count, struct ray_model);
     for (size_t w = 0; w < setup->wavelength_count; w++) {
         struct system *system = has_blades ? ARENA_NEW(arena, struct system) : NULL;
         if (has_blades && !setup_compile(setup, bladed, w, which, system, error)) {
-            return false;
+            return NULL;
         }
-        film->models[w] =
-            ray_model_of_system(has_blades ? system : setup_system(setup, w, which, error));
-        if (film->models[w].system == NULL) {
-            return false;
+        models[w] = ray_model_of_system(has_blades ? system : setup_system(setup, w, which, error));
+        if (models[w].system == NULL) {
+            return NULL;
         }
     }
-    return true;
+    return models;
 }
 
 /* Does nothing but a stop limit the rays, with the same picture at all wavelengths? */
@@ -188,7 +186,8 @@ bool lens_film_open(const struct film_question *question, struct arena *arena,
         fail(error, ERROR_DOMAIN, "the stop has no diameter: how much light comes is not known");
         return error_hint(error, "give an f-number, or a diameter in the file");
     }
-    if (!lens_film_open_systems(question, arena, film, error)) {
+    film->models = lens_film_models(question, SETUP_REVERSED, arena, error);
+    if (film->models == NULL) {
         return false;
     }
     if (is_disc(question, film)) {

@@ -44,6 +44,15 @@ struct film_question {
 };
 
 /*
+ * A lens as its film's rays go through it, clipped, with its blades: one a wavelength of the setup.
+ *
+ * Given     way  SETUP_REVERSED: from the film into the scene; SETUP_IMAGE: from the scene to it
+ * Result    null with `error` set: as setup_system and blades_stop
+ */
+struct ray_model *lens_film_models(const struct film_question *question, unsigned way,
+                                   struct arena *arena, struct error *error);
+
+/*
  * Result    rays of regions of pupils, but of models whose pupil is a disc through that
  * Errors    ERROR_DOMAIN: blades or a leaf shutter of a pinhole; curtains in the lens; as
  *           exit_pupil_bounds_open and blades_stop; no stop, or

@@ -206,8 +206,8 @@ static void take_all(struct tile_work *work, struct arena *arena, struct photogr
 }
 
 /* What there is to see, and what an error is of. */
-static void open_scene(struct tile_work *work, struct tile_scratch *scratch, struct arena *arena,
-                       struct photograph *photograph)
+static bool open_scene(struct tile_work *work, struct tile_scratch *scratch, struct arena *arena,
+                       struct photograph *photograph, struct error *error)
 {
     static const double least = 1e-300; /* of what is divided by */
     const struct photograph_question *question = work->question;
@@ -223,9 +223,21 @@ static void open_scene(struct tile_work *work, struct tile_scratch *scratch, str
                              ? question->white_of_mean * colour_luminance(photograph->mean)
                              : question->white;
     work->goal = (struct convergence_goal){question->error, fmax(white / work->scale, least)};
-    if (question->error > 0) {
-        work->small = small_emitters_open(question->view, arena);
+    struct light_paths *light = ARENA_NEW(arena, struct light_paths);
+    if (!light_paths_open(question, &work->rays, scratch, arena, light, error)) {
+        return false;
     }
+    if (light->count > 0) {
+        work->light = light;
+        light_paths_send(question, &work->rays, arena, light);
+        photograph->lamps = light->count;
+        photograph->lamp_rays = light->blocks * RAYS_BLOCK;
+        work->rays.subject = subject_scene(&light->view);
+    }
+    if (question->error > 0) {
+        work->small = small_emitters_open(work->rays.subject.view, arena);
+    }
+    return true;
 }
 
 bool photograph_take(const struct photograph_question *question, struct arena *arena,
@@ -261,7 +273,9 @@ bool photograph_take(const struct photograph_question *question, struct arena *a
     }
     struct tile_scratch *scratch = tile_scratch_new(work.rays.passes, arena);
     if (question->view != NULL) {
-        open_scene(&work, scratch, arena, photograph);
+        if (!open_scene(&work, scratch, arena, photograph, error)) {
+            return false;
+        }
     } else if (!open_card(&work, scratch, &photograph->card, arena, error)) {
         return false;
     }

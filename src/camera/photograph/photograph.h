@@ -101,7 +101,8 @@ struct photograph {
     double reference_at[2];             /* mm */
     uint64_t counts[PHOTOGRAPH_COUNTS]; /* they add up over parts of a picture */
     size_t passes;                      /* one for all colours, or one a wavelength */
-    size_t reached[2];      /* where it ended in time: samples of tiles, the fewest and the most */
+    size_t lamps, lamp_rays; /* whose light was sent to the film, by so many rays a wavelength */
+    size_t reached[2];       /* where it ended in time: samples of tiles, the fewest and the most */
     double largest, corner; /* how far from the axis light arrives, towards any corner, and the film
                                goes, mm */
     bool is_incomplete;     /* the watch has ended it: tiles are missing, and black */
@@ -125,10 +126,10 @@ double photograph_share(const struct photograph *photograph, enum depth_card_sig
  *           that
  *           it is. With an error twice as many, CONVERGENCE_LEAST at first, until the tile's
  *           halves agree (camera/photograph/convergence.h), not before the small lights in its
- *           sight have
- *           been met (camera/photograph/small_emitters.h): of a card the points of so many samples,
- *           of a
- *           scene the first ones of each pixel's
+ *           sight have been met (camera/photograph/small_emitters.h): of a card the points of so
+ *           many samples, of a scene the first ones of each pixel's
+ *           In a scene the light of small lamps is sent to the film before the tiles are taken
+ *           (camera/photograph/light_paths.h), and rays from the film leave it out
  *           In a scene rays of the middle wavelength stand for those of others where
  *           camera/photograph/lateral_colour.h says so: a colour is then what its own rays bring
  *           from a

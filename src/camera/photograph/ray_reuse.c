@@ -24,6 +24,7 @@ const struct word skip_words[] = {
     [SKIP_EXPOSURES] = {"exposures", "a picture for each exposure"},
     [SKIP_TIME] = {"time", "times of rays, where nothing moves"},
     [SKIP_SECONDARY] = {"secondary", "rays beyond the first, where nothing sends on light"},
+    [SKIP_LAMPS] = {"lamps", "rays that meet small lamps by chance"},
     [SKIP_COUNT] = {NULL, NULL}};
 
 /* -------- the light on the film -------- */

@@ -22,6 +22,7 @@ enum skip {
     SKIP_EXPOSURES, /* a picture for each exposure */
     SKIP_TIME,      /* times of rays, where nothing moves */
     SKIP_SECONDARY, /* rays beyond the first, where nothing sends on light that it receives */
+    SKIP_LAMPS,     /* rays that small lamps would have to meet by chance */
     SKIP_COUNT
 };
 

@@ -8,35 +8,39 @@
 enum { MOST = 10000 };
 
 /* Things that are one lamp, and rest. */
-static bool may_be_small(const struct lights *lights, size_t i)
+static bool may_be_small(const struct path *path, size_t i)
 {
+    const struct lights *lights = path->lights;
     const struct scene_thing *thing = &lights->scene->things[i];
-    return thing->shape != SHAPE_PLANE && lights->first[i] != SCENE_NONE &&
-           !scene_place_moves(&thing->where) && emitter_parts(thing) == 1;
+    return (path->is_left_out == NULL || !path->is_left_out[i]) && thing->shape != SHAPE_PLANE &&
+           lights->first[i] != SCENE_NONE && !scene_place_moves(&thing->where) &&
+           emitter_parts(thing) == 1;
 }
 
 struct small_emitters small_emitters_open(const struct view *view, struct arena *arena)
 {
-    const struct lights *lights = view->path->lights;
+    const struct lights *lights = view->path->seen != NULL ? view->path->seen : view->path->lights;
     const struct scene *scene = lights->scene;
     const size_t discs = lights->distant.count;
     size_t count = discs;
     for (size_t i = 0; i < scene->thing_count; i++) {
-        count += may_be_small(lights, i) ? 1 : 0;
+        count += may_be_small(view->path, i) ? 1 : 0;
     }
     if (count > MOST || scene_place_moves(&view->camera)) {
         return (struct small_emitters){.count = 0};
     }
     struct small_light *all = ARENA_ARRAY(arena, count, struct small_light);
+    size_t next = 0;
     for (size_t i = 0; i < discs; i++) {
         const struct distant_light *disc = &lights->distant.all[i];
-        all[i] =
-            (struct small_light){disc->direction, disc->radius, PI * disc->radius * disc->radius};
+        if (disc->luminance > 0) {
+            all[next++] = (struct small_light){disc->direction, disc->radius,
+                                               PI * disc->radius * disc->radius};
+        }
     }
     const struct vector at = scene_pose_at(&view->camera, 0).at;
-    size_t next = discs;
     for (size_t i = 0; i < scene->thing_count; i++) {
-        if (may_be_small(lights, i)) {
+        if (may_be_small(view->path, i)) {
             const struct emitter lamp = {i, 0};
             const struct emitter_bounds bounds = emitter_bounds(scene, &lamp);
             const struct vector to = vector_minus(bounds.middle, at);

@@ -12,6 +12,8 @@ enum { ENDED_EVERY = 8 };
 struct tile_work_scratch {
     struct tile_scratch *tile;
     double half[TILE_PIXELS][TILE_CHANNELS];
+    double lamps[TILE_PIXELS][TILE_CHANNELS];      /* what these add to the means, lx/scale */
+    double half_lamps[TILE_PIXELS][TILE_CHANNELS]; /* what half of their rays says of that */
     struct ray_reuse_scratch *reuse;
 };
 
@@ -34,16 +36,44 @@ static bool sum(const struct tile_work *work, const struct film_plan *plan, size
     return true;
 }
 
-/* How far the halves of a tile are from each other, as a multiple of the error asked for. */
-static double tile_work_error_of(const struct tile_work *work,
-                                 const struct tile_work_scratch *scratch, double samples)
+/* What lamps add to the pixels of a tile by rays of their own, in the unit of means of sums. */
+static void tile_work_lamps(const struct tile_work *work, size_t tile,
+                            double (*of)(const struct light_paths *, size_t, size_t),
+                            double lamps[TILE_PIXELS][TILE_CHANNELS])
 {
-    const double *first = (const double *)scratch->half,
-                 *both = (const double *)scratch->tile->sums;
-    const size_t count = TILE_PIXELS * TILE_CHANNELS;
+    const struct image_area *crop = &work->tiling.crop;
+    size_t column, row;
+    tiling_begin(&work->tiling, tile, &column, &row);
+    memset(lamps, 0, sizeof(double[TILE_PIXELS][TILE_CHANNELS]));
+    for (size_t i = 0; i < TILE_PIXELS && work->light != NULL; i++) {
+        const size_t x = column + i % TILE_ACROSS - crop->left;
+        const size_t y = row + i / TILE_ACROSS - crop->top;
+        for (size_t k = 0; k < TILE_CHANNELS && x < crop->width && y < crop->height; k++) {
+            lamps[i][k] = of(work->light, y * crop->width + x, k) / work->scale;
+        }
+    }
+}
+
+/*
+ * How far the halves of a tile are from each other, as a multiple of the error asked for.
+ *
+ * Given     lamps  that the first half has: all of the light of lamps leaves the error of the other
+ *                  rays alone, of which more may help
+ */
+static double tile_work_error_of(const struct tile_work *work, struct tile_work_scratch *scratch,
+                                 double samples, double (*lamps)[TILE_CHANNELS])
+{
+    enum { COUNT = TILE_PIXELS * TILE_CHANNELS };
+    double first[COUNT], both[COUNT];
+    for (size_t i = 0; i < COUNT; i++) {
+        first[i] = ((const double *)scratch->half)[i] +
+                   samples * lamps[i / TILE_CHANNELS][i % TILE_CHANNELS];
+        both[i] = ((const double *)scratch->tile->sums)[i] +
+                  2 * samples * scratch->lamps[i / TILE_CHANNELS][i % TILE_CHANNELS];
+    }
     return work->question->view != NULL
-               ? convergence_relative(&work->goal, first, both, count, samples)
-               : work->unit * convergence_halves(first, both, count, samples);
+               ? convergence_relative(&work->goal, first, both, COUNT, samples)
+               : work->unit * convergence_halves(first, both, COUNT, samples);
 }
 
 /* What a tile comes to; it is taken already if that needs none of its rays. */
@@ -84,7 +114,7 @@ static size_t sum_tile(const struct tile_work *work, struct film_plan *plan, siz
         memcpy(stage->sums, scratch->tile->sums, sizeof stage->sums);
         stage->samples = samples;
         stage->error = before > 0 && work->question->error > 0
-                           ? tile_work_error_of(work, scratch, (double)before)
+                           ? tile_work_error_of(work, scratch, (double)before, scratch->half_lamps)
                            : INFINITY;
         return samples;
     }
@@ -102,8 +132,9 @@ static size_t sum_tile(const struct tile_work *work, struct film_plan *plan, siz
              samples *= 2) {
             memcpy(scratch->half, scratch->tile->sums, sizeof scratch->half);
             is_whole = sum(work, plan, samples, 2 * samples, scratch);
-            error = tile_work_error_of(work, scratch, (double)samples);
+            error = tile_work_error_of(work, scratch, (double)samples, scratch->lamps);
         }
+        error = tile_work_error_of(work, scratch, (double)samples / 2, scratch->half_lamps);
         convergence_add(scratch->tile->counts + PHOTOGRAPH_CONVERGENCE, error, samples);
         return is_whole ? samples : 0;
     }
@@ -137,6 +168,10 @@ static bool take_tile(const struct tile_work *work, size_t tile, struct tile_wor
         return true;
     }
     struct tile_stage *stage = work->stages != NULL ? &work->stages[tile] : NULL;
+    tile_work_lamps(work, tile, light_paths_at, scratch->lamps);
+    if (question->error > 0) {
+        tile_work_lamps(work, tile, light_paths_half_at, scratch->half_lamps);
+    }
     const size_t samples = sum_tile(
         work, &plan, row / TILE_DOWN * tiling->frame + column / TILE_ACROSS, stage, scratch);
     if (samples == 0) {
@@ -145,7 +180,8 @@ static bool take_tile(const struct tile_work *work, size_t tile, struct tile_wor
     for (size_t k = 0; k < TILE_PIXELS; k++) {
         for (size_t channel = 0; channel < TILE_CHANNELS; channel++) {
             pixels[k][channel] =
-                (float)(work->scale * scratch->tile->sums[k][channel] / (double)samples);
+                (float)(work->scale * (scratch->tile->sums[k][channel] / (double)samples +
+                                       scratch->lamps[k][channel]));
         }
     }
     tiling_copy(tiling, work->image, tile, TILE_TO_PICTURE, pixels);

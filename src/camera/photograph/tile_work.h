@@ -5,6 +5,7 @@
 
 #include "base/parallel.h"
 #include "camera/photograph/convergence.h"
+#include "camera/photograph/light_paths.h"
 #include "camera/photograph/photograph.h"
 #include "camera/photograph/small_emitters.h"
 #include "camera/photograph/tile_rays.h"
@@ -27,13 +28,14 @@ struct tile_work {
     const struct photograph_question *question;
     struct tile_grid tiling; /* of it */
     struct tile_rays rays;
-    const struct ray_reuse *reuse; /* null: all is traced */
-    double scale;                  /* (n'/n)^2, n of the scene */
-    double unit;                   /* of means, in errors that are asked for */
-    struct convergence_goal goal;  /* of scenes */
-    struct small_emitters small;   /* of scenes: tiles that may see one are not ended before */
-    bool is_timed;                 /* all tiles have had the first of their stages */
-    size_t first;                  /* tile of the slice that is taken */
+    const struct ray_reuse *reuse;   /* null: all is traced */
+    double scale;                    /* (n'/n)^2, n of the scene */
+    double unit;                     /* of means, in errors that are asked for */
+    struct convergence_goal goal;    /* of scenes */
+    struct small_emitters small;     /* of scenes: tiles that may see one are not ended before */
+    const struct light_paths *light; /* of a scene: what small lamps add; null: nothing */
+    bool is_timed;                   /* all tiles have had the first of their stages */
+    size_t first;                    /* tile of the slice that is taken */
     /* by tile, each its own thread's */
     unsigned char *done;
     struct tile_stage *stages; /* where somebody waits; else null */

@@ -115,6 +115,15 @@ void render_explain(const struct artifact_job *job, const struct photograph_ques
                    question->duration > 0 ? "each ray has its own"
                                           : "all rays come at once: nothing depends on it",
                    or_kept(question, SKIP_TIME));
+    if (question->view != NULL && photograph->lamps > 0) {
+        growing_format(remarks,
+                       "lamps: %zu by %zu rays of their own through the lens, at each wavelength; "
+                       "[Veach97] 10.3.4\n",
+                       photograph->lamps, photograph->lamp_rays);
+    } else if (question->view != NULL) {
+        growing_format(remarks, "lamps: none by rays of its own%s\n",
+                       or_kept(question, SKIP_LAMPS));
+    }
     if (question->view != NULL) {
         /* What a scene goes without. */
         const int bounces = question->view->path->bounces;
