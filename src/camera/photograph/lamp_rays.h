@@ -38,9 +38,9 @@ struct lamp_rays {
     double u[U_COUNT][RAYS_BLOCK];
     /* as they leave the emitter, of all wavelengths */
     double times[RAYS_BLOCK];
-    double sent[RAYS_BLOCK];         /* mm^2 sr of luminance 1; 0: there is no such ray */
-    struct vector front[RAYS_BLOCK]; /* where it comes to the first vertex's plane, in the scene */
-    struct light_sample to[RAYS_BLOCK];                  /* from there to the emitter */
+    double sent[RAYS_BLOCK];            /* mm^2 sr of luminance 1; 0: there is no such ray */
+    struct vector front[RAYS_BLOCK];    /* where it meets the first vertex's plane, of the scene */
+    struct light_sample to[RAYS_BLOCK]; /* from there to the emitter */
     enum { UNKNOWN, FREE, BLOCKED } is_free[RAYS_BLOCK]; /* that way */
     struct ray_block start;                              /* of index 1 */
     /* of one wavelength */

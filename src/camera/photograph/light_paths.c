@@ -206,7 +206,7 @@ static size_t lamp_blocks(const struct lamps *lamps, const struct lamp_image *vi
     const double per_pixel = 8;
     double samples = (double)question->samples;
     if (question->error > 0) {
-        /* the noise within a disc, measured, is 0.28 samples^-0.6; half of the error may be theirs */
+        /* the noise within a disc, measured, is 0.28 samples^-0.6; half of the error may be so */
         samples = fmin(samples, fmax(CONVERGENCE_LEAST, pow(0.56 / question->error, 1 / 0.6)));
     } else if (question->is_over != NULL) {
         samples = fmin(samples, OF_TIMED);
