@@ -65,9 +65,9 @@ void lamp_start(const struct lamps *lamps, const struct lamp *lamp, struct lamp_
 /*
  * A block that was started, to the film, at a wavelength of the lens.
  *
- * Formula   of ideal lenses times (cos theta'/cos theta)^4: they are linear in places and slopes, so
- *           that dA d^2(tan theta) is kept, and not the etendue; luminance is kept all the same, as
- *           along rays from the film
+ * Formula   of ideal lenses times (cos theta'/cos theta)^4: linear in places and slopes, they keep
+ *           dA d^2(tan theta), and not the etendue; luminance is kept all the same, as along rays
+ *           from the film
  * Source    derived here
  * Result    flux: 0 of rays that are lost, times what pixels accept, and the share of the exposure
  *           for which a shutter is open to rays at all, if it is to this one at its time
