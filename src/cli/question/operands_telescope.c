@@ -91,9 +91,11 @@ static bool option_is_length_of_telescope(const struct option *option)
     return strcmp(option->name, TELESCOPE) == 0 || strcmp(option->name, DIAMETER) == 0;
 }
 
+/* Is it typed? A default does not say what a word beside it means. */
 static bool telescope_has(const struct arguments *arguments, const char *name)
 {
-    return arguments_given(arguments, name);
+    const struct argument *argument = arguments_find(arguments, text_of(name));
+    return argument != NULL && argument->is_given && argument->entry == NULL;
 }
 
 bool operands_tell_telescope(const struct arguments *arguments, const struct text *operands,
