@@ -28,7 +28,9 @@ say fit --glass glass.csv --formula cauchy --terms 2 --columns rms -o glass.lens
 say fit --glass glass.csv --formula cauchy --terms 2 --columns rms --name MINE
 say fit double-gauss --columns efl_mm -o lens.tsv
 say fit double-gauss --columns efl_mm -o fitted
-# a drawing's name says so, whatever else it might be; a device has none to say it by
+# a drawing's name says so, or nothing at all, as that of a device
 say dof -f 50 -N 4 -s 3 --csv --columns near_m --digits 4 --scale scale
+head -c 5 scale; echo
+say dof -f 50 -N 4 -s 3 --csv --columns near_m --digits 4 --scale scale.
 lenscalc dof -f 50 -N 4 -s 3 --csv --columns near_m --digits 4 --scale /dev/null
 ls

@@ -67,13 +67,15 @@ static bool job_is_stream(const struct artifact_job *job, struct arena *arena)
 }
 
 /*
- * Where only one thing can be written, and that is no drawing, any name will do that is not the
- * name of something else.
+ * Where only one thing can be written any name will do that is not the name of something else; of
+ * a drawing, which may have one of three endings, only a name without any, as ./term.
  */
 static bool job_takes_any_name(const struct artifact_job *job, bool is_drawing, struct arena *arena)
 {
+    const char *slash = strrchr(job->path, '/');
+    const bool has_ending = strchr(slash != NULL ? slash : job->path, '.') != NULL;
     return job->artifact->option.types(1) == NULL && !ending_is_known(text_of(job->path)) &&
-           (!is_drawing || job_is_stream(job, arena));
+           (!is_drawing || !has_ending || job_is_stream(job, arena));
 }
 
 /* What the file shall hold: what the input asks for, else what its name says. */
