@@ -27,3 +27,5 @@ rm many.lens
 ls
 # what the page says of its parts is not said again
 lenscalc convert erfle-eyepiece | sed '/^aperture/d' | lenscalc report - --images -o lost.html && grep -c 'size of its pupil is not known' lost.html
+lenscalc report cooke-triplet-50 --theme dark --title Triplet --subtitle "" -o dark.html && grep -c "color-scheme: dark" dark.html && grep -o "<h1>.*\|<p>.*" dark.html | head -1
+lenscalc report cooke-triplet-50 --theme dark -o dark.svg && grep -o "<rect width=.1720.*" dark.svg

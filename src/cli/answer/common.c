@@ -198,7 +198,7 @@ static bool has_curves(const struct command *command)
 
 bool option_draws(const struct option *option)
 {
-    return option->types != NULL && strcmp(option->types(0)->ending, ".svg") == 0;
+    return option->types != NULL && file_type_of(option->types, text_of("x.svg")) != NULL;
 }
 
 /* Does it make drawings of any kind? */

@@ -279,7 +279,7 @@ static bool report_make(const struct artifact_job *job, struct output *sink, str
     const bool done = watch_ask(job->run->watch) ||
                       fail(error, ERROR_DOMAIN, "interrupted: no report is written");
     if (done) {
-        page_write(&page, job->type, arena, sink);
+        page_write(&page, job, sink);
     }
     parallel_free(parallel);
     return done;

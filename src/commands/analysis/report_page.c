@@ -5,6 +5,8 @@
 #include "base/number.h"
 #include "cli/answer/driver.h"
 #include "commands/commands.h"
+#include "draw/palette.h"
+#include "draw/svg.h"
 
 #include <math.h>
 #include <string.h>
@@ -88,7 +90,7 @@ static const char style[] =
     ".pair { column-span: all; display: grid; grid-template-columns: 1fr 1fr; gap: 2em; }\n"
     ".pair figure { min-width: 0; }\n"
     "pre { overflow-x: auto; font-size: 80%; }\n"
-    "code { color: #666; font-weight: normal; font-size: 80%; }\n"
+    "code { opacity: 0.65; font-weight: normal; font-size: 80%; }\n"
     "@page { margin: 15mm; }\n"
     "@media print {\n"
     "body { margin: 0; }\n"
@@ -100,6 +102,20 @@ static const char style[] =
     ".pair { gap: 5mm; }\n"
     "pre { font-size: 7pt; margin: 2mm 0; overflow: visible; white-space: pre-wrap; }\n"
     "}\n";
+
+/* What a colour of a light page is on this one. */
+struct page_colour {
+    char of[PALETTE_LENGTH];
+};
+
+static struct page_colour page_colour(enum palette_theme theme, const char *colour)
+{
+    struct page_colour shown;
+    if (!palette_in_theme(theme, colour, shown.of)) {
+        memcpy(shown.of, colour, strlen(colour) + 1);
+    }
+    return shown;
+}
 
 static void write_figure(const struct page_part *part, size_t number, struct output *output)
 {
@@ -132,19 +148,33 @@ static void write_figure(const struct page_part *part, size_t number, struct out
     output_string(output, "</figure>\n");
 }
 
+/* An element of some words, if there are any. */
+static void write_element(const char *name, const char *words, struct output *output)
+{
+    if (words[0] != '\0') {
+        output_printf(output, "<%s>", name);
+        output_escaped(output, text_of(words));
+        output_printf(output, "</%s>\n", name);
+    }
+}
+
 /* A page that needs nothing else: styles and drawings lie in it. */
-static void page_write_html(const struct page *page, struct output *output)
+static void page_write_html(const struct page *page, enum palette_theme theme,
+                            struct output *output)
 {
     output_string(output, "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
                           "<title>");
     output_escaped(output, text_of(page->title));
     output_string(output, "</title>\n<style>\n");
     output_string(output, style);
-    output_string(output, "</style>\n</head>\n<body>\n<h1>");
-    output_escaped(output, text_of(page->title));
-    output_string(output, "</h1>\n<p>");
-    output_escaped(output, text_of(page->subtitle));
-    output_string(output, "</p>\n<main>\n");
+    if (theme == PALETTE_DARK) {
+        output_printf(output, "html { background: %s; color: %s; color-scheme: dark; }\n",
+                      page_colour(theme, "#fff").of, page_colour(theme, "#000").of);
+    }
+    output_string(output, "</style>\n</head>\n<body>\n");
+    write_element("h1", page->title, output);
+    write_element("p", page->subtitle, output);
+    output_string(output, "<main>\n");
     for (size_t i = 0; i < page->count; i++) {
         const struct page_part *part = &page->parts[i];
         output_string(output, part->is_paired && !part->is_right ? "<div class=\"pair\">\n" : "");
@@ -183,7 +213,7 @@ static double report_height_of(const struct page_part *part, double *scale)
 static void report_write_label(struct output *output, double x, double y, const char *look,
                                struct text words)
 {
-    output_printf(output, "<text x=\"%.6g\" y=\"%.6g\" fill=\"#000\" %s>", x, y, look);
+    output_printf(output, "<text x=\"%.6g\" y=\"%.6g\" fill=\"currentColor\" %s>", x, y, look);
     output_escaped(output, words);
     output_string(output, "</text>\n");
 }
@@ -261,7 +291,8 @@ static double place_parts(const struct page *page, double (*places)[2])
 }
 
 /* The same as one drawing: two columns, each part below the end of the shorter one. */
-static void page_write_svg(const struct page *page, struct arena *arena, struct output *output)
+static void page_write_svg(const struct page *page, enum palette_theme theme, struct arena *arena,
+                           struct output *output)
 {
     double(*places)[2] = arena_array(arena, page->count, sizeof *places);
     const double height = place_parts(page, places);
@@ -270,11 +301,11 @@ static void page_write_svg(const struct page *page, struct arena *arena, struct 
                   "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
                   "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"%d\" "
                   "height=\"%.6g\" viewBox=\"0 0 %d %.6g\" font-family=\"Helvetica, Arial, "
-                  "sans-serif\">\n<title>",
-                  width, height, width, height);
+                  "sans-serif\" color=\"%s\">\n<title>",
+                  width, height, width, height, page_colour(theme, "#000").of);
     output_escaped(output, text_of(page->title));
-    output_printf(output, "</title>\n<rect width=\"%d\" height=\"%.6g\" fill=\"#fff\"/>\n", width,
-                  height);
+    output_printf(output, "</title>\n<rect width=\"%d\" height=\"%.6g\" fill=\"%s\"/>\n", width,
+                  height, page_colour(theme, "#fff").of);
     report_write_label(output, MARGIN, MARGIN + 24, "font-size=\"26\" font-weight=\"bold\"",
                        text_of(page->title));
     report_write_label(output, MARGIN, MARGIN + 48, "font-size=\"14\"", text_of(page->subtitle));
@@ -314,12 +345,30 @@ const struct file_type *page_types(size_t i)
     return i < sizeof types / sizeof types[0] ? &types[i] : NULL;
 }
 
-void page_write(const struct page *page, const struct file_type *type, struct arena *arena,
-                struct output *output)
+void page_write(const struct page *page, const struct artifact_job *job, struct output *output)
 {
-    if (type == &types[1]) {
-        page_write_svg(page, arena, output);
+    const struct svg_dress *dress = &job->dress;
+    struct arena *arena = job->run->arena;
+    struct page dressed = *page;
+    dressed.title = dress->title != NULL ? dress->title : page->title;
+    dressed.subtitle = dress->subtitle != NULL ? dress->subtitle : page->subtitle;
+    dressed.parts = ARENA_ARRAY(arena, page->count, struct page_part);
+    for (size_t i = 0; i < page->count; i++) {
+        struct page_part *part = &dressed.parts[i];
+        *part = page->parts[i];
+        if (part->is_drawing && part->failure == NULL) {
+            const struct svg drawing = {
+                .arena = arena,
+                .data = arena_string(arena, part->text.start, part->text.length),
+                .length = part->text.length};
+            const struct svg shown =
+                svg_dress(&drawing, &(struct svg_dress){.theme = dress->theme});
+            part->text = (struct text){shown.data, shown.length};
+        }
+    }
+    if (job->type == &types[1]) {
+        page_write_svg(&dressed, dress->theme, arena, output);
     } else {
-        page_write_html(page, output);
+        page_write_html(&dressed, dress->theme, output);
     }
 }

@@ -3,6 +3,7 @@
 #ifndef LENSCALC_COMMANDS_ANALYSIS_REPORT_PAGE_H
 #define LENSCALC_COMMANDS_ANALYSIS_REPORT_PAGE_H
 
+#include "cli/question/artifact.h"
 #include "cli/question/command.h"
 
 /* A part of the page. */
@@ -38,7 +39,7 @@ bool page_ask(const struct page_question *question, struct run *run, struct page
 /* What a page may be written as: HTML that needs nothing else, or SVG in two columns. */
 const struct file_type *page_types(size_t i);
 
-void page_write(const struct page *page, const struct file_type *type, struct arena *arena,
-                struct output *output);
+/* As the job's file wants it, in its dress: the theme is that of the page and all its drawings. */
+void page_write(const struct page *page, const struct artifact_job *job, struct output *output);
 
 #endif

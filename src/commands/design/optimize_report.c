@@ -351,6 +351,6 @@ bool optimize_report(const struct artifact_job *asked, struct output *sink, stru
         .lenses = {{.lens = optimize_start_seen(job, arena), .name = "start"},
                    {.lens = optimize_lens_seen(job, &end, arena), .name = "end"}}};
     optimize_page_fill(&page);
-    page_write(&page.page, asked->type, arena, sink);
+    page_write(&page.page, asked, sink);
     return true;
 }
