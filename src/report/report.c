@@ -401,8 +401,8 @@ const char *report_subtitle(const struct report *report, const struct selection 
         struct shown shown;
         struct error ignored;
         const char *option = column->repeats != NULL ? column->repeats : column->with;
-        option = option != NULL ? option : column->name;
-        const bool echoes = (column->flags & COLUMN_ECHO) != 0 || option == column->name;
+        const bool echoes = (column->flags & COLUMN_ECHO) != 0 || option == NULL;
+        option = option != NULL ? option : selection->option_of(selection->asked, column->name);
         bool given = echoes && !text_lists(titled, text_of(column->name)) &&
                      selection->given(selection->asked, option) &&
                      !selection->varied(selection->asked, option);

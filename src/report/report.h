@@ -101,6 +101,8 @@ struct selection {
     enum { SELECT_ALL, SELECT_LIST, SELECT_TABLE } layout; /* machine; one answer; many rows */
     bool (*given)(const void *asked, const char *option);  /* was this option given? */
     bool (*varied)(const void *asked, const char *option); /* does it change from row to row? */
+    /* the option that a column repeats under a name of its own; else that name. For subtitles */
+    const char *(*option_of)(const void *asked, const char *column);
     const void *asked;
 };
 

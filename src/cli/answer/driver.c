@@ -28,8 +28,9 @@ static bool asked_in_rows(const void *asked, const char *option)
 }
 
 /* The option that a column repeats, called by the column's name; else the name itself. */
-static const char *driver_option_of(const struct driver *driver, const char *name)
+static const char *asked_option_of(const void *asked, const char *name)
 {
+    const struct driver *driver = asked;
     const struct command *command = driver->command;
     for (size_t i = 0; i < command->option_count; i++) {
         const char *column = command->options[i].column;
@@ -43,10 +44,9 @@ static const char *driver_option_of(const struct driver *driver, const char *nam
     return name;
 }
 
-static bool asked_given(const void *asked, const char *name)
+static bool asked_given(const void *asked, const char *option)
 {
     const struct driver *driver = asked;
-    const char *option = driver_option_of(driver, name);
     return arguments_given(&driver->arguments, option) || asked_in_rows(asked, option);
 }
 
@@ -57,10 +57,9 @@ static bool asked_brings(const void *asked, const char *option)
            (driver->command->brings != NULL && driver->command->brings(driver->input, option));
 }
 
-static bool asked_varied(const void *asked, const char *name)
+static bool asked_varied(const void *asked, const char *option)
 {
     const struct driver *driver = asked;
-    const char *option = driver_option_of(driver, name);
     return sweep_axis(&driver->sweep, option) != NULL ||
            (driver->command->varies != NULL && driver->command->varies(driver->input, option)) ||
            asked_in_rows(asked, option);
@@ -86,6 +85,7 @@ static bool set_up_report(struct driver *driver, struct error *error)
                            .layout = report->many ? SELECT_TABLE : SELECT_LIST,
                            .given = asked_brings,
                            .varied = asked_varied,
+                           .option_of = asked_option_of,
                            .asked = driver};
     if (!report->format->is_for_people) {
         driver->selection.layout = SELECT_ALL;
