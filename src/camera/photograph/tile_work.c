@@ -45,7 +45,7 @@ static void tile_work_lamps(const struct tile_work *work, size_t tile,
     size_t column, row;
     tiling_begin(&work->tiling, tile, &column, &row);
     memset(lamps, 0, sizeof(double[TILE_PIXELS][TILE_CHANNELS]));
-    for (size_t i = 0; i < TILE_PIXELS && work->light != NULL; i++) {
+    for (size_t i = 0; i < TILE_PIXELS; i++) {
         const size_t x = column + i % TILE_ACROSS - crop->left;
         const size_t y = row + i / TILE_ACROSS - crop->top;
         for (size_t k = 0; k < TILE_CHANNELS && x < crop->width && y < crop->height; k++) {
@@ -64,12 +64,17 @@ static double tile_work_error_of(const struct tile_work *work, struct tile_work_
                                  double samples, double (*lamps)[TILE_CHANNELS])
 {
     enum { COUNT = TILE_PIXELS * TILE_CHANNELS };
-    double first[COUNT], both[COUNT];
-    for (size_t i = 0; i < COUNT; i++) {
-        first[i] = ((const double *)scratch->half)[i] +
-                   samples * lamps[i / TILE_CHANNELS][i % TILE_CHANNELS];
-        both[i] = ((const double *)scratch->tile->sums)[i] +
-                  2 * samples * scratch->lamps[i / TILE_CHANNELS][i % TILE_CHANNELS];
+    const double *first = (const double *)scratch->half;
+    const double *both = (const double *)scratch->tile->sums;
+    double first_lit[COUNT], both_lit[COUNT];
+    if (work->light != NULL) {
+        for (size_t i = 0; i < COUNT; i++) {
+            const size_t pixel = i / TILE_CHANNELS, k = i % TILE_CHANNELS;
+            first_lit[i] = first[i] + samples * lamps[pixel][k];
+            both_lit[i] = both[i] + 2 * samples * scratch->lamps[pixel][k];
+        }
+        first = first_lit;
+        both = both_lit;
     }
     return work->question->view != NULL
                ? convergence_relative(&work->goal, first, both, COUNT, samples)
@@ -168,8 +173,10 @@ static bool take_tile(const struct tile_work *work, size_t tile, struct tile_wor
         return true;
     }
     struct tile_stage *stage = work->stages != NULL ? &work->stages[tile] : NULL;
-    tile_work_lamps(work, tile, light_paths_at, scratch->lamps);
-    if (question->error > 0) {
+    if (work->light != NULL) {
+        tile_work_lamps(work, tile, light_paths_at, scratch->lamps);
+    }
+    if (work->light != NULL && question->error > 0) {
         tile_work_lamps(work, tile, light_paths_half_at, scratch->half_lamps);
     }
     const size_t samples = sum_tile(
