@@ -279,6 +279,10 @@ def try_drawing(option, value, wanted):
         alone = asked.run(option, value)
         if asked.command == "draw":
             return wanted in alone.stdout
+        if asked.command == "report":
+            asked.run(option, value, "-o", "page.svg")
+            with open(os.path.join(asked.folder, "page.svg"), "rb") as file:
+                return wanted in file.read()
         if alone.returncode != 2 or f"{option} needs --".encode() not in alone.stderr:
             return False
         if asked.command == "tone":  # its frames here have no response; check_lettering.py draws

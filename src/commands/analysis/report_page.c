@@ -7,6 +7,7 @@
 #include "commands/commands.h"
 #include "draw/palette.h"
 #include "draw/svg.h"
+#include "draw/typeset.h"
 
 #include <math.h>
 #include <string.h>
@@ -350,8 +351,8 @@ void page_write(const struct page *page, const struct artifact_job *job, struct 
     const struct svg_dress *dress = &job->dress;
     struct arena *arena = job->run->arena;
     struct page dressed = *page;
-    dressed.title = dress->title != NULL ? dress->title : page->title;
-    dressed.subtitle = dress->subtitle != NULL ? dress->subtitle : page->subtitle;
+    dressed.title = dress->title != NULL ? typeset(arena, dress->title) : page->title;
+    dressed.subtitle = dress->subtitle != NULL ? typeset(arena, dress->subtitle) : page->subtitle;
     dressed.parts = ARENA_ARRAY(arena, page->count, struct page_part);
     for (size_t i = 0; i < page->count; i++) {
         struct page_part *part = &dressed.parts[i];
