@@ -22,18 +22,18 @@ static void line_spread_add(const struct psf_plane *plane, const struct psf_poin
 {
     const double wave = plane->pupil->n * plane->pupil->waves * image->step;
     const double across_place[2] = {wave * plane->along[0], wave * plane->along[1]};
-    const struct gridding gridding = gridding_open(image->count, plane->arena);
-    struct psf_cells cells = psf_cells_new(&gridding, plane->arena);
+    const struct nufft nufft = nufft_open(image->count, plane->arena);
+    struct psf_cells cells = psf_cells_new(&nufft, plane->arena);
     for (size_t first = 0, count; first < points->lines; first += count) {
-        count = psf_lines_transform(&gridding, points, across_place, first, &cells);
+        count = psf_lines_transform(&nufft, points, across_place, first, &cells);
         for (size_t l = 0; l < count; l++) {
             const double share = weight / points->widths[first + l];
-            const double *re = cells.re + l * gridding.fft.length;
-            const double *im = cells.im + l * gridding.fft.length;
+            const double *re = cells.re + l * nufft.fft.length;
+            const double *im = cells.im + l * nufft.fft.length;
             for (size_t x = 0; x < image->count; x++) {
-                const size_t cell = gridding_cell(&gridding, x);
+                const size_t cell = nufft_cell(&nufft, x);
                 line[x] += share * (re[cell] * re[cell] + im[cell] * im[cell]) /
-                           (gridding.left[x] * gridding.left[x]);
+                           (nufft.left[x] * nufft.left[x]);
             }
         }
     }

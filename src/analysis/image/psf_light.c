@@ -166,85 +166,85 @@ bool psf_points_put(const struct psf_plane *plane, struct psf_points *points, st
 /* -------- plane waves -------- */
 
 /* Spread the points of a line over the cells of frequency. */
-static void psf_line_put(const struct gridding *gridding, const struct psf_points *points,
+static void psf_line_put(const struct nufft *nufft, const struct psf_points *points,
                          const double across_place[2], size_t line, double *re, double *im)
 {
     for (size_t i = line > 0 ? points->ends[line - 1] : 0; i < points->ends[line]; i++) {
         const double turns =
             points->at[i][0] * across_place[0] + points->at[i][1] * across_place[1];
-        const struct gridding_wave wave = gridding_wave(gridding, turns);
+        const struct nufft_wave wave = nufft_wave(nufft, turns);
         double c, s;
         turns_of(points->waves[i], &c, &s);
         c *= points->amplitudes[i];
         s *= points->amplitudes[i];
-        for (size_t k = 0, cell = wave.first; k < GRIDDING_TAPS; k++) {
+        for (size_t k = 0, cell = wave.first; k < NUFFT_TAPS; k++) {
             re[cell] += wave.shares[k] * c;
             im[cell] += wave.shares[k] * s;
-            cell = gridding_next(gridding, cell);
+            cell = nufft_next(nufft, cell);
         }
     }
 }
 
-size_t psf_lines_transform(const struct gridding *gridding, const struct psf_points *points,
+size_t psf_lines_transform(const struct nufft *nufft, const struct psf_points *points,
                            const double across_place[2], size_t first, struct psf_cells *cells)
 {
-    const size_t length = gridding->fft.length, left = points->lines - first;
+    const size_t length = nufft->fft.length, left = points->lines - first;
     const struct fft_lines lines = {cells->re, cells->im, left < FFT_LANES ? left : FFT_LANES,
                                     length, 1};
     memset(cells->re, 0, FFT_LANES * length * sizeof *cells->re);
     memset(cells->im, 0, FFT_LANES * length * sizeof *cells->im);
     for (size_t l = 0; l < lines.count; l++) {
-        psf_line_put(gridding, points, across_place, first + l, cells->re + l * length,
+        psf_line_put(nufft, points, across_place, first + l, cells->re + l * length,
                      cells->im + l * length);
     }
-    fft_transform(&gridding->fft, false, &lines, SET_BEST, cells->arena);
+    fft_transform(&nufft->fft, false, &lines, SET_BEST, cells->arena);
     return lines.count;
 }
 
-struct psf_cells psf_cells_new(const struct gridding *gridding, struct arena *arena)
+struct psf_cells psf_cells_new(const struct nufft *nufft, struct arena *arena)
 {
-    const size_t room = FFT_LANES * gridding->fft.length;
+    const size_t room = FFT_LANES * nufft->fft.length;
     return (struct psf_cells){ARENA_ARRAY(arena, room, double), ARENA_ARRAY(arena, room, double),
                               arena};
 }
 
 /* Sums over the points of each line, at each column of the image. */
 struct psf_line_sums {
-    double *re, *im;                   /* size each line */
-    const struct gridding_wave *waves; /* of the lines, from row to row */
+    double *re, *im;                /* size each line */
+    const struct nufft_wave *waves; /* of the lines, from row to row */
     size_t lines;
 };
 
 enum { COLUMNS = 4 * FFT_LANES };
 
 /* Sums of lines at all rows of some columns. */
-static void psf_columns_add(const struct psf_plane *plane, const struct gridding *gridding,
+static void psf_columns_add(const struct psf_plane *plane, const struct nufft *nufft,
                             const struct psf_line_sums *sums, size_t first)
 {
     const struct arena_mark mark = arena_mark(plane->arena);
-    const size_t length = gridding->fft.length, size = plane->size;
+    const size_t length = nufft->fft.length, size = plane->size;
     const size_t columns = size - first < COLUMNS ? size - first : COLUMNS;
     double *re = ARENA_ARRAY(plane->arena, length * COLUMNS, double);
     double *im = ARENA_ARRAY(plane->arena, length * COLUMNS, double);
     for (size_t k = 0; k < sums->lines; k++) {
         const double *from_re = sums->re + k * size + first, *from_im = sums->im + k * size + first;
-        for (size_t tap = 0, cell = sums->waves[k].first; tap < GRIDDING_TAPS; tap++) {
+        for (size_t tap = 0, cell = sums->waves[k].first; tap < NUFFT_TAPS; tap++) {
             const double share = sums->waves[k].shares[tap];
             double *to_re = re + cell * COLUMNS, *to_im = im + cell * COLUMNS;
             for (size_t x = 0; x < columns; x++) {
                 to_re[x] += share * from_re[x];
                 to_im[x] += share * from_im[x];
             }
-            cell = gridding_next(gridding, cell);
+            cell = nufft_next(nufft, cell);
         }
     }
     const struct fft_lines lines = {re, im, columns, 1, COLUMNS};
-    fft_transform(&gridding->fft, false, &lines, SET_BEST, plane->arena);
+    fft_transform(&nufft->fft, false, &lines, SET_BEST, plane->arena);
     for (size_t y = 0; y < size; y++) {
-        const size_t cell = gridding_cell(gridding, y) * COLUMNS;
+        const size_t cell = nufft_cell(nufft, y) * COLUMNS;
         for (size_t x = 0; x < columns; x++) {
-            plane->re[y * size + first + x] = re[cell + x] / gridding->left[y];
-            plane->im[y * size + first + x] = im[cell + x] / gridding->left[y];
+            plane->re[y * size + first + x] = re[cell + x] / nufft->left[y];
+            plane->im[y * size + first + x] = im[cell + x] / nufft->left[y];
         }
     }
     arena_reset(plane->arena, mark);
@@ -261,27 +261,27 @@ bool psf_by_plane(struct psf_plane *plane, struct error *error)
         return false;
     }
     struct arena *arena = plane->arena;
-    const struct gridding gridding = gridding_open(size, arena);
-    struct psf_cells cells = psf_cells_new(&gridding, arena);
-    struct gridding_wave *waves = ARENA_ARRAY(arena, points.lines, struct gridding_wave);
+    const struct nufft nufft = nufft_open(size, arena);
+    struct psf_cells cells = psf_cells_new(&nufft, arena);
+    struct nufft_wave *waves = ARENA_ARRAY(arena, points.lines, struct nufft_wave);
     const struct psf_line_sums sums = {ARENA_ARRAY(arena, points.lines * size, double),
                                        ARENA_ARRAY(arena, points.lines * size, double), waves,
                                        points.lines};
     for (size_t first = 0, count; first < points.lines; first += count) {
-        count = psf_lines_transform(&gridding, &points, across_place, first, &cells);
+        count = psf_lines_transform(&nufft, &points, across_place, first, &cells);
         for (size_t l = 0; l < count; l++) {
             const size_t line = first + l, last = points.ends[line] - 1;
             double *re = sums.re + line * size, *im = sums.im + line * size;
-            waves[line] = gridding_wave(&gridding, points.at[last][1] * wave);
+            waves[line] = nufft_wave(&nufft, points.at[last][1] * wave);
             for (size_t x = 0; x < size; x++) {
-                const size_t cell = l * gridding.fft.length + gridding_cell(&gridding, x);
-                re[x] = cells.re[cell] / gridding.left[x];
-                im[x] = cells.im[cell] / gridding.left[x];
+                const size_t cell = l * nufft.fft.length + nufft_cell(&nufft, x);
+                re[x] = cells.re[cell] / nufft.left[x];
+                im[x] = cells.im[cell] / nufft.left[x];
             }
         }
     }
     for (size_t first = 0; first < size; first += COLUMNS) {
-        psf_columns_add(plane, &gridding, &sums, first);
+        psf_columns_add(plane, &nufft, &sums, first);
     }
     plane->perfect = points.total;
     return true;

@@ -4,7 +4,7 @@
 #define LENSCALC_ANALYSIS_IMAGE_PSF_LIGHT_H
 
 #include "analysis/image/psf.h"
-#include "base/gridding.h"
+#include "base/nufft.h"
 
 #include <stddef.h>
 
@@ -95,18 +95,18 @@ struct psf_cells {
     double *re, *im;
     struct arena *arena;
 };
-struct psf_cells psf_cells_new(const struct gridding *gridding, struct arena *arena);
+struct psf_cells psf_cells_new(const struct nufft *nufft, struct arena *arena);
 
 /*
  * The sums of amplitude exp(2 pi i (W - f x)) over the points of lines, at the places x of a
- * gridding.
+ * nufft.
  *
  * Given     across_place  f of a point is its product with that, turns from a place to the next
  *           first         of the lines
- *           cells         receives each sum at gridding_cell, to be divided by gridding->left
+ *           cells         receives each sum at nufft_cell, to be divided by nufft->left
  * Result    how many lines
  */
-size_t psf_lines_transform(const struct gridding *gridding, const struct psf_points *points,
+size_t psf_lines_transform(const struct nufft *nufft, const struct psf_points *points,
                            const double across_place[2], size_t first, struct psf_cells *cells);
 
 #endif

@@ -331,7 +331,7 @@ static double field_map_at(const struct field_map *map, size_t value, double x, 
     }
     for (size_t i = 0; i < 4; i++) {
         const size_t place = (low[1] + i / 2) * map->across[0] + low[0] + i % 2;
-        const double weight = (i % 2 ? at[0] : 1 - at[0]) * (i / 2 ? at[1] : 1 - at[1]);
+        const double weight = fabs((double)(1 - i % 2) - at[0]) * fabs((double)(1 - i / 2) - at[1]);
         const double here = map->values[FIELD_MAP_VALUES * place + value];
         sum += isfinite(here) ? weight * here : 0;
         weights += isfinite(here) ? weight : 0;

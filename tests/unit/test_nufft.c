@@ -1,6 +1,6 @@
-/* tests/unit/test_gridding.c - nonuniform Fourier transforms against their sums. */
+/* tests/unit/test_nufft.c - nonuniform Fourier transforms against their sums. */
 /* SPDX-License-Identifier: MIT */
-#include "base/gridding.h"
+#include "base/nufft.h"
 
 #include "check.h"
 
@@ -20,20 +20,20 @@ static double wave_turns(int k)
 static void test_places(size_t count)
 {
     struct arena arena = {0};
-    const struct gridding gridding = gridding_open(count, &arena);
-    const size_t length = gridding.fft.length;
+    const struct nufft nufft = nufft_open(count, &arena);
+    const size_t length = nufft.fft.length;
     double re[CELLS] = {0}, im[CELLS] = {0}, worst = 0;
     CHECK(length >= 2 * count && length <= CELLS);
     for (int k = 0; k < WAVES; k++) {
-        const struct gridding_wave wave = gridding_wave(&gridding, wave_turns(k));
-        for (size_t i = 0, cell = wave.first; i < GRIDDING_TAPS; i++) {
+        const struct nufft_wave wave = nufft_wave(&nufft, wave_turns(k));
+        for (size_t i = 0, cell = wave.first; i < NUFFT_TAPS; i++) {
             re[cell] += wave.shares[i] * cos(k);
             im[cell] += wave.shares[i] * sin(k);
-            cell = gridding_next(&gridding, cell);
+            cell = nufft_next(&nufft, cell);
         }
     }
     const struct fft_lines line = {re, im, 1, length, 1};
-    fft_transform(&gridding.fft, false, &line, SET_BEST, &arena);
+    fft_transform(&nufft.fft, false, &line, SET_BEST, &arena);
     for (size_t i = 0; i < count; i++) {
         const long double x = (long double)i - (long double)(count / 2);
         long double sum[2] = {0, 0};
@@ -42,9 +42,9 @@ static void test_places(size_t count)
             sum[0] += cosl(angle);
             sum[1] += sinl(angle);
         }
-        const size_t cell = gridding_cell(&gridding, i);
-        worst = fmax(worst, fabs(re[cell] / gridding.left[i] - (double)sum[0]));
-        worst = fmax(worst, fabs(im[cell] / gridding.left[i] - (double)sum[1]));
+        const size_t cell = nufft_cell(&nufft, i);
+        worst = fmax(worst, fabs(re[cell] / nufft.left[i] - (double)sum[0]));
+        worst = fmax(worst, fabs(im[cell] / nufft.left[i] - (double)sum[1]));
     }
     CHECK_NEAR(worst / WAVES, 0, 2e-11, "of the sum of all amplitudes");
     arena_free(&arena);
